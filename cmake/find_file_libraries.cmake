@@ -4,7 +4,7 @@ function(find_file_libraries)
   find_package(PNG QUIET)
   find_package(ZLIB QUIET)
   find_package(EXPAT QUIET)
-  # Debian's files of Imath, which OpenEXR needs, tell at length that a part of it is missing that nobody asked for.
+  # Debian's files of Imath, which OpenEXR needs, print at length that a part of it is missing that was not asked for.
   set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
   find_package(OpenEXR QUIET CONFIG)
 endfunction()

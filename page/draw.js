@@ -1,4 +1,4 @@
-// Draws both sides into one canvas: by WebGL, or else, slowly, by the canvas itself.
+// Draws both sides into one canvas: with WebGL or, more slowly, without.
 
 import {
   BufferAttribute,
@@ -37,8 +37,8 @@ const VERTEX_SHADER = `
     gl_Position = projectionMatrix * modelViewMatrix * vec4(mix(position, right, morph), 1.);
   }`;
 
-// The pattern of a sphere has a hue for each longitude, lighter to the north, under meridians and parallels, of which there
-// are fewer near the poles. That of two surfaces is on the left one: planes, and hues around the second axis.
+// The pattern of a sphere has a hue for each longitude and is lighter to the north, with meridians and parallels; near the poles, there are
+// fewer meridians. The pattern of two surfaces is defined on the left one: planes, and hues around the second axis.
 const FRAGMENT_SHADER = `
   uniform sampler2D palette;
   uniform int paint;
@@ -135,7 +135,7 @@ export class WebGLPainter {
 
   draw(views, morphs, paint) {
     const { clientHeight } = this.renderer.domElement;
-    this.renderer.setScissorTest(true); // again, as the browser may have taken and given back the device
+    this.renderer.setScissorTest(true); // again, because the browser may have lost and restored the device
     views.forEach(({ camera, element }, i) => {
       const { uniforms } = this.scenes[i].children[0].material;
       uniforms.morph.value = morphs[i];
@@ -149,7 +149,7 @@ export class WebGLPainter {
   }
 }
 
-// From back to front, each face in one colour. The pattern, which is finer than faces, is not to be had.
+// Draws faces from back to front, each in one colour; without the pattern, which is finer than faces.
 export class CanvasPainter {
   constructor(canvas, surfaces) {
     this.context = canvas.getContext("2d");

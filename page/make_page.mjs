@@ -1,8 +1,8 @@
 // Usage: node make_page.mjs NPM OUTPUT [--for-the-test]
 //
-// Bundles the page into OUTPUT/page_text.cpp, which becomes a part of the program. What is needed of npm's registry goes
-// to OUTPUT; with --for-the-test, what test_page.mjs needs as well. Where that cannot be had, the program is built without
-// the page, and can tell why; the next build tries again.
+// Bundles the page into OUTPUT/page_text.cpp, which is compiled into the program. Installs the required npm packages in OUTPUT; with
+// --for-the-test, also those of test_page.mjs. If that fails, the program is built without the page and reports the reason; the next
+// build tries again.
 
 import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -22,7 +22,7 @@ function install() {
   execFileSync(npm, ["ci", ...options], { cwd: output, stdio: ["ignore", "pipe", "pipe"], encoding: "utf8" });
 }
 
-// The licences of the packages that are a part of the bundle
+// The licences of the packages in the bundle
 function licencesOf({ inputs }) {
   const packages = new Set(
     Object.keys(inputs)
@@ -60,7 +60,7 @@ function bundle() {
   return (page + licencesOf(script.metafile)).split("<!--DATA-->\n");
 }
 
-// As compilers limit the length of a literal
+// Several literals, because compilers limit their length
 function literals(text) {
   const pieces = text.match(/[^]{1,16000}/g) ?? [];
   return pieces.map((piece) => `R"page(${piece})page", `).join("") + "nullptr";
@@ -86,6 +86,10 @@ if (reason === "") {
   write(...bundle(), "");
   writeFileSync(stamp, "");
 } else {
-  console.log(`NOTICE: the program will not write pages:\n${reason}`);
-  write("", "", `this program was built without the page, as npm failed:\n${reason}\nRepair that, and build it again.`);
+  console.log(`NOTICE: The program will not write pages:\n${reason}`);
+  write(
+    "",
+    "",
+    `this program was built without support for pages, because npm failed:\n${reason}\nCorrect the cause and build it again.`,
+  );
 }

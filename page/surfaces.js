@@ -1,6 +1,6 @@
-// The two sides of the page: a mesh with two places for each vertex, as the program has written it into the page.
+// The two sides of the page: a mesh with two points for each vertex, from the data in the page.
 
-// How far a normal of a vertex may be from that of a face that is smooth there.
+// Below this cosine of the angle between the normals of a vertex and a face, the face has a sharp edge there.
 const SMOOTH = Math.cos((40 * Math.PI) / 180);
 
 function bytesOf(id) {
@@ -14,14 +14,14 @@ function bytesOf(id) {
 
 const floatsOf = (id) => new Float32Array(bytesOf(id).buffer);
 
-function turn(points, rotation) {
+function rotate(points, rotation) {
   for (let i = 0; i < points.length; i += 3) {
     const [x, y, z] = points.subarray(i, i + 3);
     for (let k = 0; k < 3; ++k) points[i + k] = rotation[3 * k] * x + rotation[3 * k + 1] * y + rotation[3 * k + 2] * z;
   }
 }
 
-// The points of the corners of all faces, and normals for them: those of vertices, but at edges those of faces.
+// The points and normals of the corners of all faces: normals of vertices, or at sharp edges those of faces.
 function cornersOf(points, vertices) {
   const corners = new Float32Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) corners.set(points.subarray(3 * vertices[i], 3 * vertices[i] + 3), 3 * i);
@@ -61,21 +61,21 @@ export function readSurfaces() {
   const vertices = facts.vertices > 65536 ? new Uint32Array(bytes.buffer) : new Uint16Array(bytes.buffer);
   const sides = ["left", "right"].map((name) => {
     const points = floatsOf(name);
-    turn(points, facts[name].rotation);
+    rotate(points, facts[name].rotation);
     return { ...facts[name], ...cornersOf(points, vertices) };
   });
   const measures = Object.entries(facts.measures).map(([name, fact]) => ({ name, ...fact, values: floatsOf(name) }));
   for (const [name, fact] of Object.entries(facts.classes))
     measures.push({ name, ...fact, values: new Uint16Array(bytesOf(name).buffer) });
-  // Faces may be parts of those of the files.
+  // The drawn faces may be parts of faces of the files.
   const numbers = facts.has_numbers
     ? ["left_faces", "right_faces"].map((id) => new Uint32Array(bytesOf(id).buffer))
     : null;
-  return { facts, vertices, sides, measures, numbers, folded: new Uint32Array(bytesOf("folded").buffer) };
+  return { facts, vertices, sides, measures, numbers, inverted: new Uint32Array(bytesOf("inverted").buffer) };
 }
 
-// The place of a face with these barycentric coordinates, on the way from the left side to the right one.
-export function placeOf({ sides }, { face, weights }, morph) {
+// The point with these barycentric coordinates in a face, interpolated between the left side (0) and the right one (1).
+export function pointOf({ sides }, { face, weights }, morph) {
   return [0, 1, 2].map((k) => {
     let sum = 0;
     for (let j = 0; j < 3; ++j) {
@@ -86,7 +86,7 @@ export function placeOf({ sides }, { face, weights }, morph) {
   });
 }
 
-// The first face that a ray meets, and the barycentric coordinates of the place; null if it meets none.
+// The first face on a ray, and the barycentric coordinates of the intersection; null if there is none.
 export function firstOnRay({ sides }, { origin, direction }, morph) {
   const [from, to] = sides.map((side) => side.corners);
   const p = new Float64Array(9);

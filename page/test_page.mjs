@@ -1,7 +1,7 @@
 // Usage: node test_page.mjs BROWSER PROGRAM OUTPUT
 //
-// Opens a page that PROGRAM has written in a BROWSER without windows, and uses it as a person does: with a mouse and keys. OUTPUT
-// is where make_page.mjs has installed what that takes.
+// Opens pages that PROGRAM has written in a headless BROWSER, uses them with mouse and keyboard, and checks their accessibility. OUTPUT is
+// the folder in which make_page.mjs has installed the required packages.
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
@@ -20,11 +20,13 @@ for (const [needed, what] of [
   console.log(`NOTICE: ${what}: the page is not tested.`);
   process.exit(77);
 }
-const puppeteer = createRequire(join(output, "package.json"))("puppeteer-core");
+const require = createRequire(join(output, "package.json"));
+const puppeteer = require("puppeteer-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const folder = mkdtempSync(join(tmpdir(), "spherical_parameterization_"));
 const file = (name) => join(folder, name);
 
-// A grid of longitudes and latitudes around a body, whose distance from the middle depends on both
+// A grid of longitudes and latitudes on a star-shaped body; the distance from the centre depends on both
 function makeMesh(rows, columns, radiusOf) {
   const points = [];
   const add = (latitude, longitude) => {
@@ -91,7 +93,7 @@ function locate(point, { points, faces }) {
   assert.fail(`the mesh does not contain ${point}`);
 }
 
-// A GIFTI file with the label 7, called hill, for the first half of the vertices, and none for the others
+// A GIFTI file with the label 7, named hill, for the first half of the vertices, and no label for the others
 function writeLabels(name, { points }) {
   const keys = points.map((_, v) => (2 * v < points.length ? 7 : 0)).join(" ");
   writeFileSync(
@@ -104,7 +106,7 @@ function writeLabels(name, { points }) {
   );
 }
 
-// The number of colours of a picture, the share of pixels that differ from those of another one, and the share of those that are
+// The number of colours of a picture, the fraction of pixels that differ from those of another one, and the fraction of pixels that are
 // neither grey, black nor white
 function examine(page, picture, other = picture) {
   const read = async (pictures) => {
@@ -130,7 +132,7 @@ function examine(page, picture, other = picture) {
   return page.evaluate(read, [picture, other]);
 }
 
-// Rounding may change some pixels, and nobody sees it.
+// Rounding may change a few pixels.
 const isSame = async (page, picture, other) => (await examine(page, picture, other)).changed < 0.005;
 
 const body = makeMesh(
@@ -163,15 +165,15 @@ async function look(page, selector) {
   return (await page.$(selector)).screenshot({ encoding: "base64" });
 }
 
-// Points at the places of the sphere that the program has looked up, and at where they are marked on the body.
+// Points at the points of the sphere that the program has located, and at their marks on the body.
 async function checkPicking(page) {
   const facts = JSON.parse(await page.$eval("#facts", (script) => script.textContent));
   const box = await page.$eval("#view-right", (view) => view.getBoundingClientRect().toJSON());
   const images = readPoints("sphere.off").map((p) => p.map((x) => x / Math.hypot(...p)));
-  const told = () => page.$eval("#place", ({ dataset }) => ({ ...dataset }));
+  const selected = () => page.$eval("#point", ({ dataset }) => ({ ...dataset }));
   const marked = [];
-  for (const place of readPoints("places.off")) {
-    const { face, weights } = locate(place, body);
+  for (const point of readPoints("points.off")) {
+    const { face, weights } = locate(point, body);
     const image = [0, 1, 2].map((k) =>
       dot(
         weights,
@@ -179,21 +181,21 @@ async function checkPicking(page) {
       ),
     );
     const [x, y, z] = [0, 3, 6].map((row) => dot(facts.right.rotation.slice(row, row + 3), image));
-    // The body is thinnest along z, from where it is looked at; 1.05 is what is seen of a sphere of radius 1. A pointer has no
-    // more than some digits.
+    // The view is along the z-axis, the smallest extent of the body, and shows 1.05 times the unit sphere. The precision of a pointer is
+    // limited.
     if (z < 0.2 || Math.min(...weights) < 0.01) continue;
     const scale = Math.min(box.width, box.height) / 2.1;
     await page.mouse.move(box.x + box.width / 2 + scale * x, box.y + box.height / 2 - scale * y);
     const expected = { face: String(face), vertex: String(body.faces[face][weights.indexOf(Math.max(...weights))]) };
-    assert.deepEqual(await told(), expected);
+    assert.deepEqual(await selected(), expected);
     await settle(page);
     const mark = await page.$("#view-left .mark:not(.behind)");
     if (mark) marked.push([await mark.boundingBox(), expected]);
   }
-  assert.ok(marked.length >= 20, `${marked.length} places`);
+  assert.ok(marked.length >= 20, `${marked.length} points`);
   for (const [{ x, y, width, height }, expected] of marked) {
     await page.mouse.move(x + width / 2, y + height / 2);
-    assert.deepEqual(await told(), expected);
+    assert.deepEqual(await selected(), expected);
   }
   return marked.length;
 }
@@ -219,15 +221,15 @@ async function checkControls(page) {
   await page.click("#together");
   await page.focus("#view-left");
   await page.keyboard.press("ArrowLeft");
-  assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere turns along");
+  assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere rotates along");
   await page.click("#together");
-  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the sphere does not turn along");
+  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the sphere does not rotate along");
 
   await drag(page, "#view-left");
-  const turned = [await look(page, "#view-left"), await look(page, "#view-right")];
+  const rotated = [await look(page, "#view-left"), await look(page, "#view-right")];
   assert.ok(
-    !(await isSame(page, turned[0], left)) && !(await isSame(page, turned[1], right)),
-    "dragging does not turn both",
+    !(await isSame(page, rotated[0], left)) && !(await isSame(page, rotated[1], right)),
+    "dragging does not rotate both",
   );
   await page.click("#reset");
   assert.ok(await isSame(page, await look(page, "#view-right"), right), "the sphere is not reset");
@@ -239,6 +241,58 @@ async function checkControls(page) {
   }
 }
 
+// Every control is reached by the tab key and shows its focus; keys select, move and reset.
+async function checkKeyboard(page) {
+  await page.focus("#colour");
+  const order = [];
+  for (let i = 0; i < 7; ++i) {
+    const [id, width] = await page.evaluate(() => {
+      const { id } = document.activeElement;
+      return [id, parseFloat(getComputedStyle(document.activeElement).outlineWidth)];
+    });
+    assert.ok(width >= 2, `${id} does not show its focus`);
+    order.push(id);
+    await page.keyboard.press("Tab");
+  }
+  assert.deepEqual(order, ["colour", "morph", "together", "reset", "view-left", "view-right", "statistics"]);
+
+  await page.focus("#view-left");
+  await page.keyboard.press("0");
+  const before = await look(page, "#view-left");
+  for (const key of ["ArrowUp", "ArrowRight"]) {
+    await page.keyboard.down("Shift");
+    await page.keyboard.press(key);
+    await page.keyboard.up("Shift");
+  }
+  assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "Shift and arrows do not move the surface");
+  await page.keyboard.press("+");
+  await page.keyboard.press("0");
+  assert.ok(await isSame(page, await look(page, "#view-left"), before), "0 does not reset the view");
+}
+
+// Checks with axe-core, in both colour schemes, and that nothing is cut off on a small screen.
+async function checkAccessibility(page, name) {
+  for (const scheme of ["light", "dark"]) {
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+    await settle(page);
+    await page.evaluate(axe);
+    const violations = await page.evaluate(async () => {
+      const { violations } = await globalThis.axe.run();
+      return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map((node) => node.html).join(", ")}`);
+    });
+    assert.deepEqual(violations, [], `${name}, ${scheme}`);
+  }
+  for (const [width, height] of [
+    [390, 844],
+    [820, 1180],
+  ]) {
+    await page.setViewport({ width, height });
+    await settle(page);
+    const excess = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(excess <= 0, `${name} is ${excess} pixels too wide for ${width}`);
+  }
+}
+
 async function checkDrawing(page) {
   for (const side of ["#view-left", "#view-right"]) {
     const { colours } = await examine(page, await look(page, side));
@@ -246,7 +300,7 @@ async function checkDrawing(page) {
   }
 }
 
-// A body and one that is larger by half and elsewhere: sizes, places and how far each place moves are seen.
+// A body and a translated copy that is larger by half: sizes, positions and displacements are visible.
 async function checkSizes(page) {
   const texts = (selector) => page.$$eval(selector, (all) => all.map((one) => one.textContent));
   assert.deepEqual(await texts("#title"), ["body.off and large.off"]);
@@ -265,17 +319,17 @@ async function checkSizes(page) {
   const [name, ...statistics] = await texts("#distortion tr:nth-child(2) > *");
   assert.equal(name, "displacement");
   for (const [k, expected] of [Math.max(...moves), average].entries())
-    assert.ok(Math.abs(statistics[k] - expected) < 1e-4 * expected, `${statistics[k]} in the place of ${expected}`);
-  assert.match((await texts("#measure"))[0], /^displacement: .* in the unit of the files$/);
+    assert.ok(Math.abs(statistics[k] - expected) < 1e-4 * expected, `${statistics[k]} instead of ${expected}`);
+  assert.match((await texts("#measure, #meaning")).join(": "), /^Displacement: .* in the unit of the files\.$/);
   const most = [...moves].sort((x, y) => x - y)[Math.floor(0.99 * (moves.length - 1))];
   const ticks = (await texts("#histogram text")).slice(0, 4);
   const [third, twoThirds, end] = [1 / 3, 2 / 3, 1].map((t) => String(Number((t * most).toPrecision(3))));
   assert.deepEqual(ticks, ["0", third, twoThirds, `\u2265 ${end}`]);
   await page.focus("#view-left");
   await page.keyboard.press("Enter");
-  const { face } = await page.$eval("#place", ({ dataset }) => ({ ...dataset }));
-  const told = (await texts("#place dd"))[3];
-  assert.ok(Math.abs(told - moves[face]) < 1e-4, `${told} in the place of ${moves[face]}`);
+  const { face } = await page.$eval("#point", ({ dataset }) => ({ ...dataset }));
+  const shown = (await texts("#point dd"))[3];
+  assert.ok(Math.abs(shown - moves[face]) < 1e-4, `${shown} instead of ${moves[face]}`);
 
   await page.$eval("#morph", (slider) => {
     slider.value = 0.5;
@@ -291,10 +345,10 @@ async function checkSizes(page) {
   assert.ok(await isSame(page, await look(page, "#view-left"), right), "the slider does not end at the right side");
   await page.focus("#view-left");
   await page.keyboard.press("ArrowLeft");
-  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the right side does not turn along");
+  assert.ok(!(await isSame(page, await look(page, "#view-right"), right)), "the right side does not rotate along");
   assert.ok(
     await isSame(page, await look(page, "#view-left"), await look(page, "#view-right")),
-    "the sides do not turn alike",
+    "the sides do not rotate alike",
   );
   assert.equal(await page.$eval("#colour [value=pattern]", (option) => option.textContent), "grid of the left side");
 }
@@ -303,7 +357,11 @@ async function withBrowser(args, uses) {
   const browser = await puppeteer.launch({ executablePath: browserFile, args: ["--no-sandbox", ...args] });
   const faults = [];
   try {
-    for (const [name, use] of Object.entries(uses)) await use(await open(browser, name, faults));
+    for (const [name, use] of Object.entries(uses)) {
+      const page = await open(browser, name, faults);
+      await use(page);
+      await checkAccessibility(page, name);
+    }
     assert.deepEqual(faults, []);
   } finally {
     await browser.close();
@@ -313,13 +371,16 @@ async function withBrowser(args, uses) {
 try {
   writeOff("body.off", body);
   writeOff("directions.off", sphere);
-  // The vertices of the remesh are the places that the program finds for the directions.
+  // The vertices of the remesh are the points that the program locates for the directions.
   const run = (...words) => execFileSync(program, [...words, "--quiet"]);
   const [surface, directions, map] = [file("body.off"), file("directions.off"), file("sphere.off")];
   run("map", surface, "--prefer", "sampling", "-o", map, "--page", file("page.html"));
-  run("remesh", surface, directions, "--initial", map, "--iterations", "0", "-o", file("places.off"));
+  run("remesh", surface, directions, "--initial", map, "--iterations", "0", "-o", file("points.off"));
 
   run("match", surface, directions, "--page", file("two.html"));
+
+  writeOff("open.off", { points: body.points, faces: body.faces.slice(7) });
+  run("map", file("open.off"), "--repair", "--page", file("repaired.html"));
 
   writeLabels("labels.gii", body);
   run("map", surface, "--page", file("classes.html"), "--labels", file("labels.gii"), "--convention", "cortex");
@@ -331,23 +392,33 @@ try {
   writeOff("torus.off", torus);
   const { status, stdout } = spawnSync(program, ["show", file("torus.off"), "-o", file("torus.html")]);
   assert.equal(status, 0);
-  assert.match(String(stdout), /A path of 8 edges around a handle/);
+  assert.match(String(stdout), /A cycle of 8 edges around a handle/);
 
-  // A processor draws where there is no other device.
+  // Software rendering, in case there is no graphics device
   await withBrowser(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"], {
     "page.html": async (page) => {
       await checkDrawing(page);
-      console.log(`${await checkPicking(page)} places agree`);
+      console.log(`${await checkPicking(page)} points agree`);
       await checkControls(page);
+      await checkKeyboard(page);
     },
     "two.html": async (page) => {
       await checkDrawing(page);
       await page.focus("#view-right");
       await page.keyboard.press("Enter");
       assert.match(
-        await page.$eval("#place", (place) => place.textContent),
-        /^Faces\d+ of body.off, \d+ of directions.off/,
+        await page.$eval("#point", (point) => point.textContent),
+        /^Face of body.off\d+Face of directions.off\d+Point on body.off.*expected error\d/,
       );
+      const summary = await page.$eval("#summary", (list) => list.textContent);
+      assert.match(
+        summary,
+        /Alignmentby features, agreement .*Expected error.* on average, relative to the square root/,
+      );
+      // The alignment of a body to a sphere is ambiguous.
+      assert.match(await page.$eval("#warning:not([hidden])", (text) => text.textContent), /^Ambiguous alignment/);
+      await page.select("#colour", "expected error");
+      assert.match(await page.$eval("#meaning", (text) => text.textContent), /the larger the value, the less reliable/);
       const before = await look(page, "#view-right");
       await page.select("#colour", "pattern");
       assert.ok(!(await isSame(page, await look(page, "#view-right"), before)), "the grid is not drawn");
@@ -355,27 +426,40 @@ try {
     "classes.html": async (page) => {
       assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /^hill(49|50|51)\.\d %/);
       const before = await look(page, "#view-left");
-      await page.select("#colour", "folds");
-      assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /furrow/);
-      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the folds are not drawn");
+      await page.select("#colour", "sulci");
+      assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /sulcus/);
+      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the sulci are not drawn");
       await page.focus("#view-left");
       await page.keyboard.press("Enter");
-      assert.match(await page.$eval("#place", (place) => place.textContent), /labels(hill|no label).*folds(ridge|furrow)/);
+      assert.match(
+        await page.$eval("#point", (point) => point.textContent),
+        /labels(hill|no label).*gyri and sulci(gyrus|sulcus)/,
+      );
+    },
+    "repaired.html": async (page) => {
+      const before = await look(page, "#view-left");
+      await page.select("#colour", "repair");
+      assert.match(await page.$eval("#histogram", (svg) => svg.textContent), /^surface of the file.* %hole patch.* %$/);
+      assert.ok(!(await isSame(page, await look(page, "#view-left"), before)), "the patches are not drawn");
+      assert.match(
+        await page.$eval("#summary", (list) => list.textContent),
+        /Repair\d+ holes? filledpatches cover .* %/,
+      );
     },
     "beside.html": async (page) => {
       await checkDrawing(page);
-      assert.match(await page.$eval("#certificate", (text) => text.textContent), /^The same faces/);
+      assert.match(await page.$eval("#certificate", (text) => text.textContent), /^Both surfaces have the same faces/);
       await checkSizes(page);
     },
     "torus.html": async (page) => {
       await checkDrawing(page);
-      assert.match(await page.$eval("#certificate", (text) => text.textContent), /^A handle keeps/);
-      assert.ok(await page.$eval("#morph", (slider) => slider.closest("label").hidden));
+      assert.match(await page.$eval("#certificate", (text) => text.textContent), /it has a handle\.$/);
+      assert.ok(await page.$eval("#morph", (slider) => slider.closest(".slider").hidden));
     },
   });
   await withBrowser(["--disable-gpu", "--disable-3d-apis"], {
     "page.html": async (page) => {
-      assert.match(await page.$eval("#notice", (notice) => notice.textContent), /WebGL is missing/);
+      assert.match(await page.$eval("#notice", (notice) => notice.textContent), /WebGL is not available/);
       await checkDrawing(page);
     },
   });

@@ -1,15 +1,17 @@
-// One side of the page: a camera, and what turns it by pointers and keys.
+// One side of the page: a camera that is controlled by pointers and keys.
 
 import { MathUtils, OrthographicCamera, Quaternion, Raycaster, Vector2, Vector3 } from "three";
 import { TrackballControls } from "three/addons/controls/TrackballControls.js";
 
-const HALF_HEIGHT = 1.05; // of what is seen of a side
+const HALF_HEIGHT = 1.05; // of the visible region of a side
 const STEP = MathUtils.degToRad(6);
 const ZOOM_STEP = 1.15;
+const PAN_STEP = 0.1;
+const TAP_RADIUS = { mouse: 4, pen: 8, touch: 12 }; // in pixels: a longer way is a drag
 
 export class View {
-  // Calls onTurn(view) when the camera has moved, and onPoint(view, x, y) with a place between -1 and 1.
-  constructor(element, start, { onTurn, onPoint }) {
+  // Calls onMove(view) after the camera has moved, onPoint(view, x, y) with coordinates between -1 and 1, and onReset().
+  constructor(element, start, { onMove, onPoint, onReset }) {
     this.element = element;
     this.camera = new OrthographicCamera(-1, 1, 1, -1, -100, 100);
     this.camera.position.copy(start.direction).multiplyScalar(10);
@@ -21,7 +23,7 @@ export class View {
     this.controls.minZoom = 0.3;
     this.controls.maxZoom = 200;
     this.controls.keys = [];
-    this.controls.addEventListener("change", () => onTurn(this));
+    this.controls.addEventListener("change", () => onMove(this));
     this.resize();
 
     let pressed = null;
@@ -36,20 +38,24 @@ export class View {
       (event) => event.buttons === 0 && event.pointerType !== "touch" && point(event),
     );
     element.addEventListener("pointerup", (event) => {
-      if (pressed?.distanceTo(new Vector2(event.clientX, event.clientY)) < 4) point(event);
+      if (pressed?.distanceTo(new Vector2(event.clientX, event.clientY)) < (TAP_RADIUS[event.pointerType] ?? 4))
+        point(event);
       pressed = null;
     });
     element.addEventListener("keydown", (event) => {
-      const turns = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[event.key];
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
+      const arrow = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[event.key];
       const zoom = { "+": ZOOM_STEP, "=": ZOOM_STEP, "-": 1 / ZOOM_STEP }[event.key];
-      if (turns) this.#turn(...turns);
+      if (arrow && event.shiftKey) this.#pan(...arrow);
+      else if (arrow) this.#rotate(...arrow);
       else if (zoom)
         this.camera.zoom = MathUtils.clamp(this.camera.zoom * zoom, this.controls.minZoom, this.controls.maxZoom);
       else if (event.key === "Enter") onPoint(this, 0, 0);
+      else if (event.key === "0") onReset();
       else return;
       event.preventDefault();
       this.camera.updateProjectionMatrix();
-      onTurn(this);
+      onMove(this);
     });
   }
 
@@ -70,7 +76,7 @@ export class View {
     this.controls.reset();
   }
 
-  // Turns and zooms like another view; each keeps what it has been shifted by.
+  // Copies the rotation and zoom of another view, but not its translation.
   follow({ camera, controls }) {
     this.camera.position.copy(camera.position).sub(controls.target).add(this.controls.target);
     this.camera.up.copy(camera.up);
@@ -86,16 +92,32 @@ export class View {
     return raycaster.ray;
   }
 
-  // Where a point is seen, between -1 and 1
+  // The position of a point in the view, with coordinates between -1 and 1
   project(point) {
     this.camera.updateMatrixWorld();
     return new Vector3(...point).project(this.camera);
   }
 
-  #turn(down, right) {
+  // The axes to the right and up in the view
+  #axes() {
     const offset = this.camera.position.clone().sub(this.controls.target);
     const side = this.camera.up.clone().cross(offset).normalize();
-    const up = offset.clone().cross(side).normalize();
+    return { offset, side, up: offset.clone().cross(side).normalize() };
+  }
+
+  // Moves the surface.
+  #pan(down, right) {
+    const { side, up } = this.#axes();
+    const shift = side
+      .multiplyScalar(-right)
+      .addScaledVector(up, down)
+      .multiplyScalar(PAN_STEP / this.camera.zoom);
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+  }
+
+  #rotate(down, right) {
+    const { offset, side, up } = this.#axes();
     const turn = new Quaternion().setFromAxisAngle(up, -STEP * right);
     turn.multiply(new Quaternion().setFromAxisAngle(side, -STEP * down));
     this.camera.up.copy(up).applyQuaternion(turn);
@@ -104,8 +126,8 @@ export class View {
   }
 }
 
-// Enlarges sides, by the same factor, to the size at which they are just seen as a whole at the start; not by more than a quarter, as
-// tips would be cut off when they are turned.
+// Enlarges sides by the same factor so that they fill the initial view, by at most 25 %, because otherwise tips would be cut off in other
+// poses.
 export function fit(sides, { direction }) {
   const thinnest = direction.toArray().indexOf(1);
   let extent = 0;
@@ -118,7 +140,7 @@ export function fit(sides, { direction }) {
   }
 }
 
-// Along the thinnest extent of the surface, as the figures of the manual; the second axis is up, or else the third one.
+// Looks along the smallest extent of the surface, like the figures of the manual; the second axis is up, or else the third one.
 export function startOf({ corners }) {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

@@ -31,7 +31,7 @@ bool is_finite(const Point_3& p)
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
-// Returns whether both polygons are the same one, from any of its corners on.
+// Returns whether two polygons are equal up to a cyclic rotation.
 bool is_same(Polygon polygon, const Polygon& other)
 {
   for(std::size_t k = 0; k < other.size() && polygon != other; ++k)
@@ -49,7 +49,7 @@ SP::Distortion_summary distortion_of(const Face_graph& mesh, const Sphere_map& m
   return summary;
 }
 
-// The advice of the library is for those who call functions.
+// Replaces functions in the messages of the library by commands.
 std::string advice_of_program(std::string message)
 {
   for(const auto& [of_library, of_program] :
@@ -61,7 +61,7 @@ std::string advice_of_program(std::string message)
   return message;
 }
 
-// Returns the numbers of vertices, such that those of borders at the same point have the same one.
+// Returns numbers of vertices; border vertices at the same point have the same number.
 std::vector<std::size_t> joined_borders(const File_content& surface,
                                         const std::vector<std::pair<std::uint64_t, std::size_t>>& sides)
 {
@@ -81,7 +81,7 @@ std::vector<std::size_t> joined_borders(const File_content& surface,
   return number;
 }
 
-// The sides of all faces in order: both vertices of each, by these numbers, and the face.
+// The sorted sides of all faces: both vertices, by these numbers, and the face.
 std::vector<std::pair<std::uint64_t, std::size_t>> sorted_sides(const std::vector<Polygon>& polygons,
                                                                 const std::vector<std::size_t>& numbers)
 {
@@ -113,7 +113,7 @@ std::vector<std::vector<std::size_t>> components_of(const File_content& surface,
     if(sides[k].first == sides[k - 1].first)
       sets.union_set(sides[k].second, sides[k - 1].second);
   std::vector<std::vector<std::size_t>> components;
-  std::vector<std::size_t> component_of(polygons.size(), polygons.size()); // by the face that stands for it
+  std::vector<std::size_t> component_of(polygons.size(), polygons.size()); // by its representative face
   for(std::size_t f = 0; f < polygons.size(); ++f)
   {
     std::size_t& component = component_of[sets.find_set(f)];
@@ -160,8 +160,9 @@ Input_mesh::Input_mesh(const std::string& path, File_content surface, const std:
   , m_faces(surface.faces.begin(), surface.faces.end())
 {
   if(surface.polygons.empty())
-    throw Program_error(m_name, ": the mesh has no faces.\nPerhaps the file is truncated, or a point cloud, which has "
-                                "to be turned into a surface first.");
+    throw Program_error(m_name,
+                        ": the mesh has no faces.\nThe file may be truncated, or contain a point cloud, from which "
+                        "a surface must be reconstructed first.");
   const auto build = [&] {
     m_mesh = Mesh();
     const auto defect = SP::internal::build_mesh(surface.polygons, surface.points.size(), m_mesh);
@@ -177,7 +178,7 @@ Input_mesh::Input_mesh(const std::string& path, File_content surface, const std:
     m_repair.emplace();
     if(defect || repair->alpha > 0. || SP::internal::find_defect_of_mesh(m_mesh))
     {
-      m_repair = read_named(path, [&] { return Surface_repair(*repair, surface); });
+      m_repair = read_named(path, [&] { return Repair_step(*repair, surface); });
       build();
     }
   }
@@ -190,7 +191,7 @@ std::string Input_mesh::find_defect(bool advises) const
   if(!defect)
     return "";
   return m_name + ": " + advice_of_program(defect->message) +
-         (defect->error == SP::ERROR_SEVERAL_COMPONENTS      ? "\n--each-component maps each of SURFACE."
+         (defect->error == SP::ERROR_SEVERAL_COMPONENTS      ? "\n--each-component maps each component of SURFACE."
           : defect->error == SP::ERROR_NO_TOPOLOGICAL_SPHERE ? describe_handles(advises)
                                                              : "");
 }
@@ -248,16 +249,16 @@ Vertex_index Input_mesh::vertex_of(std::size_t vertex_of_file) const
 {
   const std::size_t v =
       m_repair && m_repair->has_changed_surface() ? m_repair->vertex_of(vertex_of_file) : vertex_of_file;
-  return v == Surface_repair::none || m_mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v)))
+  return v == Repair_step::none || m_mesh.is_isolated(Vertex_index(static_cast<Mesh::size_type>(v)))
              ? Mesh::null_vertex()
              : Vertex_index(static_cast<Mesh::size_type>(v));
 }
 
-File_content Input_mesh::carried(File_content values) const
+File_content Input_mesh::transferred(File_content values) const
 {
   if(!m_repair || !m_repair->has_changed_surface())
     return values;
-  m_repair->carry(values, m_polygons);
+  m_repair->transfer(values, m_polygons);
   if(values.points.size() == m_repair->file().points.size())
   {
     values.points.assign(m_mesh.points().begin(), m_mesh.points().end());
@@ -315,7 +316,7 @@ void Input_mesh::write_repaired(std::ostream& out, const std::string& format) co
   const auto source_of = [&](std::size_t i, const std::vector<std::size_t>& sources,
                              const std::vector<std::size_t>& of_part) {
     const std::size_t source = is_changed ? sources[i] : i;
-    return (m_repair && m_repair->is_wrapped()) || source == Surface_repair::none
+    return (m_repair && m_repair->is_wrapped()) || source == Repair_step::none
                ? -1
                : static_cast<std::int32_t>(of_part.empty() ? source : of_part[source]);
   };
@@ -335,15 +336,15 @@ Sphere_map Input_mesh::read_images(const std::string& path)
 {
   check();
   File_content soup = read_file_content(path);
-  check_faces_of(path, "is no map of this mesh", soup.points.size(), soup.polygons);
+  check_faces_of(path, "is not a map of this mesh", soup.points.size(), soup.polygons);
   if(is_of_file(soup.points.size(), soup.polygons))
-    soup.points = m_repair->carried(soup.points, m_polygons);
+    soup.points = m_repair->transferred(soup.points, m_polygons);
   const Sphere_map map = m_mesh.add_property_map<Vertex_index, Point_3>("v:initial").first;
   for(const Vertex_index v : m_mesh.vertices())
   {
     map[v] = soup.points[v];
     if(!m_mesh.is_isolated(v) && !is_finite(map[v]))
-      throw error_in(path, "is no map: vertex ", v.idx(),
+      throw error_in(path, "is not a map: vertex ", v.idx(),
                      " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
   }
   return map;
@@ -356,9 +357,9 @@ Sphere_map Input_mesh::read_map(const std::string& path)
   const std::size_t n_inverted = measured_distortion(m_mesh, map, distortions).number_of_inverted_faces;
   for(const Mesh::Face_index f : m_mesh.faces())
     if(distortions[f].is_inverted)
-      throw error_in(path, "is no one-to-one map: face ", f.idx(),
+      throw error_in(path, "is not a bijective map: face ", f.idx(),
                      " is not positively oriented as seen from the origin (", n_inverted,
-                     " such faces in total).\nTake another start, such as --initial harmonic. (Faces are counted "
+                     " such faces in total).\nUse another initial map, such as --initial harmonic. (Faces are counted "
                      "from 0.)");
   return map;
 }
@@ -388,13 +389,13 @@ void Input_mesh::check_faces_of(const std::string& path, const std::string& is, 
 
 std::string Input_mesh::describe_handles(bool advises) const
 {
-  constexpr std::size_t max_named = 5; // each takes time
+  constexpr std::size_t max_named = 5; // finding each takes time
   std::string text;
   for(const Handle& handle : find_handles(max_named))
-    text += "\nA path of " + describe(handle) + '.';
+    text += "\nA cycle of " + describe(handle) + '.';
   if(advises)
-    text +=
-        "\nrepair SURFACE --handles FILE writes such a path for each, show SURFACE -o PAGE.html shows where they are.";
+    text += "\nrepair SURFACE --handles FILE writes such a cycle for each handle, and show SURFACE -o PAGE.html shows "
+            "them.";
   return text + " (Vertices are counted from 0.)";
 }
 

@@ -10,9 +10,8 @@
 
 namespace Program {
 
-/// As long as the object lives, SIGINT, SIGTERM and SIGHUP, or SIGBREAK on Windows, do not end the program but are noted, for all
-/// threads. A second one ends it.
-/// SIGHUP stays ignored if it is, as nohup has asked for that.
+/// During its lifetime, SIGINT, SIGTERM and SIGHUP, or SIGBREAK on Windows, do not end the program but are recorded, for all threads. A
+/// second signal ends the program. SIGHUP remains ignored if it is ignored already, as under nohup.
 class Interrupt_guard
 {
 public:
@@ -35,7 +34,7 @@ public:
   Interrupt_guard(const Interrupt_guard&) = delete;
   Interrupt_guard& operator=(const Interrupt_guard&) = delete;
 
-  /// returns whether there has been one of the signals.
+  /// returns whether one of the signals has been received.
   static bool is_interrupted() { return s_is_interrupted; }
 
 private:
@@ -47,7 +46,7 @@ private:
     std::raise(signal);
   }
 
-  // What a signal handler writes and other threads read has to be atomic without a lock.
+  // Written by a signal handler and read by other threads, so it must be atomic and lock-free.
   inline static std::atomic<bool> s_is_interrupted{false};
   static_assert(std::atomic<bool>::is_always_lock_free, "A signal handler must not wait for a lock.");
 

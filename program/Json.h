@@ -13,11 +13,11 @@
 
 namespace Program {
 
-/// A value in JSON; an object is put together member by member. (Boost.PropertyTree would write all numbers as texts.)
+/// A JSON value; objects are composed member by member. (Boost.PropertyTree would write all numbers as texts.)
 class Json
 {
 public:
-  /// constructs an object without members, or with some.
+  /// constructs an object.
   Json() = default;
   Json(std::initializer_list<std::pair<std::string, Json>> members)
   {
@@ -35,7 +35,7 @@ public:
     : m_value(value ? "true" : "false")
   {}
 
-  /// constructs a number of 17 digits, or null for what JSON has no words for.
+  /// constructs a number with 17 digits, or null for infinite values and NaN.
   Json(double value)
   {
     constexpr int digits = 17;
@@ -57,7 +57,7 @@ public:
     : m_value(list_of(values, ", ", ""))
   {}
 
-  /// constructs rows, each of which has a line.
+  /// constructs an array of rows, one per line.
   Json(const std::vector<std::array<double, 3>>& rows)
     : m_value(rows.empty() ? "[]" : list_of(rows, ",\n  ", "\n"))
   {}
@@ -74,7 +74,7 @@ public:
     if(!m_value.empty())
       return m_value;
     std::string result = "{";
-    for(const char c : m_members) // indented here, so that an object need not know how deep it is
+    for(const char c : m_members) // indented here, so that an object need not know its depth
       result += c == '\n' ? std::string("\n  ") : std::string(1, c);
     return result + "\n}";
   }
@@ -105,7 +105,7 @@ private:
   }
 
   std::string m_members; // of an object
-  std::string m_value;   // of all else
+  std::string m_value;   // of other values
 };
 
 } // namespace Program

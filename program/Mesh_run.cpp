@@ -35,7 +35,7 @@ Mesh_run::Mesh_run(const Options& options, const File_names& names)
             options.is_batch() ? Output_policy::replace : Output_policy::follow)
   , m_report(options, names.input)
 {
-  if(!options.is_batch()) // there, a template has been read already
+  if(!options.is_batch()) // in a batch, the template has been read already
     for(const std::string& name : options.other_inputs())
       check_file(name);
   if(!names.page.empty())
@@ -78,14 +78,14 @@ void Mesh_run::map()
     return;
   }
   m_report.result = run_method(m_options, *m_input, m_sphere);
-  const bool is_its_sphere = m_options.onto.empty() || m_options.is_onto_atlas; // and not that of a target
-  // What a registration finds depends on the start, so that has to be the same whatever is written.
+  const bool is_its_sphere = m_options.onto.empty() || m_options.is_onto_atlas; // and not that of the target
+  // The result of a registration depends on the initial pose, which therefore must not depend on the written files.
   if(m_options.is_onto_atlas || (m_options.follows_convention(m_names.sphere) && is_its_sphere))
-    turn_to_surface(*m_input, m_sphere);
+    rotate_sphere_to_surface(*m_input, m_sphere);
   m_report.written_radius = radius_of(m_names.sphere);
 }
 
-// Takes the map of a file in place of one of a method, whatever it is.
+// Takes an arbitrary map from a file instead of computing one.
 void Mesh_run::take_map(const std::string& file)
 {
   const Sphere_map images = m_input->read_images(file);
@@ -111,7 +111,7 @@ void Mesh_run::repair()
   commit();
 }
 
-// Writes what has been repaired.
+// Writes the files of the repair.
 void Mesh_run::write_repair()
 {
   m_files.write(m_names.handles,
@@ -136,14 +136,14 @@ void Mesh_run::sample()
   if(m_options.domain.empty() && m_options.image_size == 0)
     return;
   const double start = seconds_now();
-  check_map("the surface cannot be sampled by it");
+  check_map("the surface cannot be sampled");
   if(!m_options.domain.empty())
   {
     m_remesh.emplace(*m_input, m_sphere, m_options.domain, m_options.domain_size);
     if(m_input->has_patches())
       m_remesh->mark_patches(*m_input, m_sphere);
     if(m_options.has("transfer"))
-      m_remesh->carry_values(m_options, *m_input, m_sphere);
+      m_remesh->transfer_values(m_options, *m_input, m_sphere);
     m_report.remesh = m_remesh->figures(*m_input);
   }
   if(m_options.image_size > 0)
@@ -157,9 +157,9 @@ void Mesh_run::match(const Mapped_mesh* model)
     return;
   const double start = seconds_now();
   std::optional<Interrupt_guard> guard;
-  if(!m_options.is_batch()) // which has one for all
+  if(!m_options.is_batch()) // a batch has one for all
     guard.emplace();
-  check_map("no surface can be mapped by it");
+  check_map("the surfaces cannot be matched");
   const bool needs_overlay = !m_names.overlay.empty() || !m_names.morph.empty() || !m_names.page.empty();
   if(model != nullptr)
   {
@@ -175,12 +175,12 @@ void Mesh_run::match(const Mapped_mesh* model)
           m_options.follows_convention(m_names.onto) ? SP::cortical_sphere_radius : m_other->radius;
   }
   if(!m_match->figures.distortion && needs_overlay)
-    throw error_in(m_names.input, std::string("no --overlay, --morph or --page can be made. "),
+    throw error_in(m_names.input, std::string("--overlay, --morph and --page cannot be written. "),
                    SP::get_error_message(SP::ERROR_TOO_LARGE_OVERLAY));
   if(!m_names.expected_errors.empty() && m_match->expected_errors().empty())
     throw error_in(
         m_names.input,
-        "no --expected-errors can be written, as landmarks alone have aligned the surfaces, or the run was stopped.");
+        "--expected-errors cannot be written: only landmarks have aligned the surfaces, or the run was stopped.");
   m_report.match = m_match->figures;
   m_report.match->other = model != nullptr ? m_options.text("template") : m_options.onto;
   m_report.match->is_template = model != nullptr;
@@ -191,7 +191,7 @@ void Mesh_run::match(const Mapped_mesh* model)
 void Mesh_run::check_map(const std::string& what) const
 {
   if(!m_report.result.is_one_to_one)
-    throw error_in(m_names.input, "the map is not one-to-one: ", what, ".\n--method bld excludes that.");
+    throw error_in(m_names.input, "the map is not bijective: ", what, ".\n--method bld guarantees bijectivity.");
 }
 
 void Mesh_run::commit()
@@ -287,8 +287,8 @@ std::optional<double> Mesh_run::radius_of(const std::string& name) const
              : std::nullopt;
 }
 
-// Measures the map, and each face, with the radius that balances the areas, at which maps are usually compared; does nothing if
-// no number holds that radius.
+// Measures the map and each face with the radius that balances the areas, at which maps are usually compared; does nothing if this
+// radius is out of the range of double.
 void Mesh_run::measure_balanced()
 {
   const double radius = m_report.distortion.radius, balanced = m_report.distortion.balanced_radius;

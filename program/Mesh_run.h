@@ -6,45 +6,45 @@
 
 namespace Program {
 
-/// returns the seconds of the monotonic clock.
+/// returns the time of the monotonic clock in seconds.
 double seconds_now();
 
-/// All that is done with one mesh: it is read, mapped to a sphere and measured, and what is wanted is written. What fails throws a
-/// `Program_error`.
+/// The run of one mesh: it is read, mapped to a sphere and measured, and the requested files are written. Functions throw a
+/// `Program_error` on failure.
 class Mesh_run
 {
 public:
-  /// checks that all files can be written, and those beside the mesh can be opened, before any work.
+  /// checks that all output files can be written, and that other input files can be opened.
   ///
-  /// \param options have to live longer
+  /// \param options must outlive the run
   Mesh_run(const Options& options, const File_names& names);
 
-  /// reads the mesh, or takes a component of it, and repairs it as the options say. This comes before all that follows.
+  /// reads the mesh, or takes a component of it, and repairs it according to the options. Must be called first.
   void read();
   void take(File_content part, const Run_report::Component& component);
 
-  /// writes the mesh as it has been repaired, and where its handles were, if that is wanted, and counts what it has.
+  /// writes the repaired mesh, and if requested its handle cycles, and counts its elements.
   void repair();
 
-  /// writes a page that shows where the handles of the mesh are; returns whether it has any.
+  /// writes a page that shows the handles of the mesh; returns whether there are any.
   bool show_handles();
 
-  /// writes the page of the surface and another one with the same faces, which needs no map.
+  /// writes the page of the surface and another one with the same faces; this needs no map.
   void show_beside();
 
-  /// maps the mesh, or takes its map from a file. This comes before all that follows.
+  /// maps the mesh, or reads its map from a file. Must be called before the functions below.
   void map();
 
-  /// samples the surface, if that is wanted.
+  /// samples the surface, if requested.
   void sample();
 
-  /// maps the surface onto another one, or a template onto it, if that is wanted.
+  /// maps the surface onto another one, or a template onto it, if requested.
   void match(const Mapped_mesh* model = nullptr);
 
-  /// measures the map, and writes all files. They appear once all of them are complete.
+  /// measures the map, and writes all files. They appear after all of them are complete.
   void write();
 
-  /// returns what keeps the surface from being mapped, and what helps; empty if nothing does.
+  /// returns the defect that prevents a map, and what helps; empty if there is none.
   std::string find_defect() const { return m_input->find_defect(m_names.handles.empty() && m_names.page.empty()); }
 
   const Run_report& report() const { return m_report; }
@@ -54,10 +54,10 @@ private:
 
   void write_page_of(Page page);
 
-  // Returns the radius of a sphere in its file, if it is not that of the map.
+  // Returns the radius of a sphere in its file, if it differs from that of the map.
   std::optional<double> radius_of(const std::string& name) const;
 
-  // Throws an error if the map is not one-to-one, so that something cannot be done.
+  // Throws an error if the map is not bijective.
   void check_map(const std::string& what) const;
 
   void take(File_content soup);

@@ -36,7 +36,7 @@ float to_float(double value)
                                                       : std::numeric_limits<float>::infinity();
 }
 
-// calls `visit(v)` for each corner of a face: other vertices may be anywhere
+// calls `visit(v)` for each corner of a face; isolated vertices may have any point
 template <class Visit>
 void for_each_corner(const Page& page, const Visit& visit)
 {
@@ -45,7 +45,7 @@ void for_each_corner(const Page& page, const Visit& visit)
       visit(v);
 }
 
-// Makes a surface the left side, with all its faces.
+// Sets the left side to a surface with all its faces.
 void show_surface(Page& page, const Input_mesh& input, const Mesh& mesh)
 {
   for(const Polygon& triangle : input.triangles())
@@ -54,18 +54,18 @@ void show_surface(Page& page, const Input_mesh& input, const Mesh& mesh)
   page.left.points.assign(mesh.points().begin(), mesh.points().end());
 }
 
-// Puts one side or both, as they lie to each other, into the unit ball.
-void place(const Page& page, const std::vector<Page::Side*>& sides)
+// Scales and translates one side, or both with the same transformation, into the unit ball.
+void normalize(const Page& page, const std::vector<Page::Side*>& sides)
 {
   CGAL::Bbox_3 box;
   for(const Page::Side* side : sides)
     for_each_corner(page, [&](std::size_t v) { box += side->points[v].bbox(); });
-  std::array<double, 3> centre{};
+  std::array<double, 3> center{};
   double extent = 0., radius = 0.;
   for(std::size_t k = 0; k < 3; ++k)
   {
     const double low = (box.min)(static_cast<int>(k)), high = (box.max)(static_cast<int>(k));
-    centre[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
+    center[k] = 0.5 * low + 0.5 * high; // their sum may be infinite
     extent = (std::max)(extent, 0.5 * high - 0.5 * low);
   }
   const auto shrink = [&](const Point_3& origin, double& size) {
@@ -74,19 +74,19 @@ void place(const Page& page, const std::vector<Page::Side*>& sides)
       for(Point_3& p : side->points)
         p = CGAL::ORIGIN + (p - origin) / size;
   };
-  shrink(Point_3(centre[0], centre[1], centre[2]), extent);
+  shrink(Point_3(center[0], center[1], center[2]), extent);
   for(Page::Side* side : sides)
     for_each_corner(page, [&](std::size_t v) { radius = (std::max)(radius, length_of(side->points[v])); });
   shrink(Point_3(0., 0., 0.), radius);
   for(Page::Side* side : sides)
   {
-    side->centre = centre;
+    side->center = center;
     side->scale = extent * radius;
   }
 }
 
-// Finds out how a side lies like the left one: how a method leaves a sphere is arbitrary.
-void turn_like_left(const Page& page, Page::Side& side)
+// Finds the rotation of a side to the pose of the left one; the pose of a computed sphere is arbitrary.
+void rotate_to_left(const Page& page, Page::Side& side)
 {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   std::vector<bool> is_paired(side.points.size(), false);
@@ -98,13 +98,13 @@ void turn_like_left(const Page& page, Page::Side& side)
   SP::Sphere_alignment_3::Rotation_3 rotation(CGAL::IDENTITY);
   if(SP::fit_rotation(CGAL::make_property_map(side.points), CGAL::make_property_map(page.left.points), pairs,
                       rotation) != SP::OK)
-    return; // any rotation is as good
+    return; // no rotation is determined
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
       side.rotation[static_cast<std::size_t>(3 * i + j)] = rotation.m(i, j);
 }
 
-// The number of faces between each face and the nearest of the paths.
+// The number of faces between each face and the nearest handle cycle.
 std::vector<std::size_t> steps_from(const Mesh& mesh, const std::vector<Input_mesh::Handle>& handles)
 {
   std::vector<std::size_t> steps(mesh.number_of_faces(), mesh.number_of_faces());
@@ -125,7 +125,7 @@ std::vector<std::size_t> steps_from(const Mesh& mesh, const std::vector<Input_me
   return steps;
 }
 
-// Measures each face, with both surfaces scaled to the same area.
+// Measures the distortion of each face, with both surfaces scaled to the same area.
 std::vector<SP::Face_distortion> distortions_between(const Page& page, SP::Distortion_summary* summary = nullptr)
 {
   const auto area = [&](const Page::Side& side) {
@@ -154,7 +154,7 @@ std::vector<SP::Face_distortion> distortions_between(const Page& page, SP::Disto
   return {distortions.begin(), distortions.end()};
 }
 
-// Offers to colour each face by the mean of the expected errors of the corners of that of the first surface that it is part of.
+// Adds a coloring by expected errors: each face has the mean over the corners of the face of the first surface that contains it.
 void add_expected_errors(Page& page, const Surface_match& match)
 {
   const std::vector<double>& errors = match.expected_errors();
@@ -168,25 +168,33 @@ void add_expected_errors(Page& page, const Surface_match& match)
     values.push_back(to_float((errors[t[0]] + errors[t[1]] + errors[t[2]]) / 3.));
   }
   page.add_measure(
-      "expected error", "how far a point may be from where it should be, over the root of the area of the right side",
+      "expected error", "expected error of the correspondence",
+      "estimated distance of each matched point from the true corresponding point, as a fraction of the square root of "
+      "the area of "
+      "the right surface; the larger the value, the less reliable the match",
       0.,
       {{"maximum", *std::max_element(errors.begin(), errors.end())}, {"average", *match.figures.report.expected_error}},
       values);
 }
 
-void tell(Page& page, const Run_report& report)
+void add_report(Page& page, const Run_report& report)
 {
   page.is_one_to_one = report.result.is_one_to_one;
   page.verdict = report.verdict();
+  if(report.match && report.match->report.is_uncertain)
+    page.warning =
+        "Ambiguous alignment: another alignment of the surfaces is almost as good, so that the map may be wrong as a "
+        "whole, for example by a half-turn. Compare corresponding points of both sides, or repeat the match with "
+        "--landmarks.";
   page.summary = report.summary();
   page.shown = report.shows_angles() ? "D_angle" : "D_iso";
 }
 
-// How far the middle of each face moves between two sides of one frame.
+// The displacement of the centroid of each face between two sides in one coordinate frame.
 void add_displacements(Page& page)
 {
   std::vector<float> values;
-  SP::internal::Statistics_accumulator lengths; // in the unit of the page, in which squares are numbers
+  SP::internal::Statistics_accumulator lengths; // in the unit of the page, so that squares do not overflow
   for(const auto& triangle : page.triangles)
   {
     CGAL::Vector_3<Kernel> moved(0., 0., 0.);
@@ -197,36 +205,39 @@ void add_displacements(Page& page)
     values.push_back(to_float(page.left.scale * length));
   }
   const double unit = page.left.scale;
-  page.add_measure("displacement", "how far a place moves from one surface to the other, in the unit of the files", 0.,
+  page.add_measure("displacement", "displacement",
+                   "distance between corresponding points of both surfaces, in the unit of the files", 0.,
                    json_of({unit * lengths.maximum(), unit * lengths.average(), unit * lengths.deviation()}), values);
 }
 
-// `statistics_of` tells those of a measure, by its members of both summaries.
+// `statistics_of` returns the statistics of a measure from its members of both summaries.
 template <class Statistics>
 void add_distortions(Page& page, const std::vector<SP::Face_distortion>& distortions, const Statistics& statistics_of)
 {
-  const auto add = [&](const char* name, const char* meaning, double minimum, double SP::Face_distortion::*of_face,
-                       const Json& statistics) {
+  const auto add = [&](const char* name, const char* title, const char* meaning, double minimum,
+                       double SP::Face_distortion::*of_face, const Json& statistics) {
     std::vector<float> values;
     for(const SP::Face_distortion& distortion : distortions)
       values.push_back(to_float(distortion.*of_face));
-    page.add_measure(name, meaning, minimum, statistics, values);
+    page.add_measure(name, title, meaning, minimum, statistics, values);
   };
-  add("D_iso", "the largest factor by which a length is wrong", 1., &SP::Face_distortion::isometric,
+  add("D_iso", "isometric distortion D_iso",
+      "largest factor by which the map stretches or shrinks lengths; 1 is no distortion", 1.,
+      &SP::Face_distortion::isometric,
       statistics_of(&SP::Distortion_summary::isometric, &SP::Distortion_between::isometric));
-  add("D_area", "how areas change; 2 is best", 2., &SP::Face_distortion::area,
-      statistics_of(&SP::Distortion_summary::area, &SP::Distortion_between::area));
-  add("D_angle", "how angles change; 2 is best", 2., &SP::Face_distortion::angle,
-      statistics_of(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
+  add("D_area", "area distortion D_area", "factor by which the map changes areas, plus its inverse; 2 is no distortion",
+      2., &SP::Face_distortion::area, statistics_of(&SP::Distortion_summary::area, &SP::Distortion_between::area));
+  add("D_angle", "angle distortion D_angle",
+      "ratio of the largest to the smallest stretch, plus its inverse; 2 is no distortion", 2.,
+      &SP::Face_distortion::angle, statistics_of(&SP::Distortion_summary::angle, &SP::Distortion_between::angle));
 }
 
-// Gives each face the label that most of its corners have, if they have one.
+// Assigns to each face the most frequent label of its corners, if there is one.
 void add_labels(const File_content& soup, const Mesh& mesh, const std::vector<Polygon>& triangles,
                 std::vector<Page::Class>& classes, std::vector<std::uint16_t>& of_faces)
 {
   if(soup.labels.empty() || soup.values_of_vertices.empty() || soup.values_of_vertices.front().has_fractions())
-    throw Program_error(
-        "has no labels with names and colours, as the annotations of FreeSurfer and .label.gii files have");
+    throw Program_error("has no labels with names and colors; use an annotation of FreeSurfer or a .label.gii file");
   const std::vector<double>& keys = soup.values_of_vertices.front().numbers;
   if(keys.size() != mesh.number_of_vertices())
     throw Program_error("has labels of ", keys.size(), " vertices, but the surface has ", mesh.number_of_vertices());
@@ -255,19 +266,19 @@ Page page_of_sphere(Input_mesh& input, const Sphere_map& sphere, const Distortio
   Page page;
   const Mesh& mesh = input.mesh();
   show_surface(page, input, mesh);
-  place(page, {&page.left});
+  normalize(page, {&page.left});
   page.has_sphere = true;
-  page.right.title = "its sphere";
-  tell(page, report);
+  page.right.title = "sphere";
+  add_report(page, report);
   add_distortions(page, {distortions.begin(), distortions.end()},
                   [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
   for(const Mesh::Face_index f : mesh.faces())
     if(distortions[f].is_inverted)
-      page.folded.push_back(f);
+      page.inverted.push_back(f);
   for(const Vertex_index v : mesh.vertices())
     page.right.points.push_back(direction_of(sphere[v]));
   page.right.scale = report.result.report.radius;
-  turn_like_left(page, page.right);
+  rotate_to_left(page, page.right);
   return page;
 }
 
@@ -290,13 +301,13 @@ Page page_of_match(const Surface_match& match, const Run_report& report)
     page.left.faces.push_back(parents.empty() ? std::uint32_t(f) : static_cast<std::uint32_t>(parents[f]));
     page.right.faces.push_back(std::uint32_t(g));
   }
-  place(page, {&page.left});
-  place(page, {&page.right});
-  tell(page, report);
+  normalize(page, {&page.left});
+  normalize(page, {&page.right});
+  add_report(page, report);
   add_distortions(page, distortions_between(page),
                   [&](auto of_sphere, auto of_both) { return report.statistics(of_sphere, of_both); });
   add_expected_errors(page, match);
-  turn_like_left(page, page.right);
+  rotate_to_left(page, page.right);
   return page;
 }
 
@@ -304,14 +315,14 @@ Page page_of_same_faces(Input_mesh& input, Input_mesh& other)
 {
   Page page;
   const Mesh &mesh = input.mesh(), &second = other.mesh();
-  input.check_faces_of(other.name(), "is no surface to show beside", second.number_of_vertices(), other.triangles());
+  input.check_faces_of(other.name(), "does not match the surface", second.number_of_vertices(), other.triangles());
   show_surface(page, input, mesh);
   page.right.title = shown_name(other.name());
   page.right.points.assign(second.points().begin(), second.points().end());
-  place(page, {&page.left, &page.right});
+  normalize(page, {&page.left, &page.right});
   page.has_one_frame = true;
   page.shown = "displacement";
-  page.verdict = "The same faces: each vertex is mapped to that of the same number.";
+  page.verdict = "Both surfaces have the same faces; each vertex corresponds to the vertex with the same index.";
   page.summary.add("Mesh", sizes_of(mesh.number_of_vertices(), mesh.number_of_faces()));
   add_displacements(page);
   SP::Distortion_summary summary;
@@ -327,20 +338,22 @@ Page page_of_handles(Input_mesh& input, const std::vector<Input_mesh::Handle>& h
   page.morphs = false;
   const Mesh& mesh = input.mesh();
   show_surface(page, input, mesh);
-  place(page, {&page.left});
+  normalize(page, {&page.left});
   page.right = page.left;
-  page.shown = "near handles";
+  page.shown = "handles";
   page.right.title = "from behind";
   page.right.rotation = {-1., 0., 0., 0., 1., 0., 0., 0., -1.};
-  page.verdict = handles.size() == 1 ? "A handle keeps the surface from being mapped."
-                                     : std::to_string(handles.size()) + " handles keep the surface from being mapped.";
+  page.verdict = handles.size() == 1
+                     ? "The surface cannot be mapped: it has a handle."
+                     : "The surface cannot be mapped: it has " + std::to_string(handles.size()) + " handles.";
   page.summary.add("Mesh", sizes_of(mesh.number_of_vertices(), mesh.number_of_faces()));
   for(std::size_t k = 0; k < handles.size(); ++k)
     page.summary.add("Handle " + std::to_string(k + 1), Input_mesh::describe(handles[k]));
   std::vector<float> values;
   for(const std::size_t steps : steps_from(mesh, handles))
     values.push_back(1.f + static_cast<float>(steps));
-  page.add_measure("near handles", "1 at a short path around a handle; grows by 1 for each face between", 1.,
+  page.add_measure("handles", "distance from handles",
+                   "1 at a short cycle around a handle, and 1 more for each face between", 1.,
                    {{"handles", handles.size()}}, values);
   return page;
 }
@@ -349,43 +362,40 @@ void add_repair(Page& page, const Input_mesh& input)
 {
   if(!input.repair())
     return;
-  std::string text;
-  for(const std::string& line : input.repair()->descriptions())
-    text += (text.empty() ? "" : "; ") + line;
-  page.summary.add("Repaired", text);
+  page.summary.add("Repair", input.repair()->descriptions());
   std::vector<std::uint16_t> kinds;
   for(const Mesh::Face_index f : input.mesh().faces())
     kinds.push_back(input.is_patch(f) ? 1 : 0);
   if(input.has_patches())
-    page.add_classes("repair", "what was added to close the surface",
-                     {{"of the file", {190, 190, 190}}, {"added", {230, 120, 30}}}, kinds);
+    page.add_classes("repair", "hole patches", "faces that the repair has added to close holes and cuts",
+                     {{"surface of the file", {190, 190, 190}}, {"hole patch", {230, 120, 30}}}, kinds);
 }
 
 void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
 {
   const Mesh& mesh = input.mesh();
-  SP::Sulcal_measures folding;
-  check(SP::compute_sulcal_measures(input.mesh(), folding, CGAL::parameters::default_values(),
+  SP::Sulcal_measures measures;
+  check(SP::compute_sulcal_measures(input.mesh(), measures, CGAL::parameters::default_values(),
                                     SP::Sulcal_measures::CURVATURE),
         input.name());
-  std::vector<std::uint16_t> folds, areas;
+  std::vector<std::uint16_t> is_sulcus, areas;
   for(const Polygon& t : input.triangles())
-    folds.push_back(folding.curvature[t[0]] + folding.curvature[t[1]] + folding.curvature[t[2]] > 0. ? 1 : 0);
+    is_sulcus.push_back(measures.curvature[t[0]] + measures.curvature[t[1]] + measures.curvature[t[2]] > 0. ? 1 : 0);
   const std::vector<Page::Class> grey = {{"gyrus", {190, 190, 190}}, {"sulcus", {105, 105, 105}}};
   if(!labels.empty())
   {
-    areas = folds;
+    areas = is_sulcus;
     std::vector<Page::Class> classes = grey;
     for(Page::Class& one : classes)
       one.name = "no label";
     {
-      const File_content content = input.carried(read_file_of_values(labels));
+      const File_content content = input.transferred(read_file_of_values(labels));
       read_named(labels, [&] { add_labels(content, mesh, input.triangles(), classes, areas); });
     }
-    page.add_classes("labels", shown_name(labels), classes, areas);
+    page.add_classes("labels", "labels", shown_name(labels), classes, areas);
     page.shown = "labels";
   }
-  page.add_classes("folds", "gyri and sulci, by the sign of the mean curvature", grey, folds);
+  page.add_classes("sulci", "gyri and sulci", "sign of the mean curvature", grey, is_sulcus);
 }
 
 } // namespace Program

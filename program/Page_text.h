@@ -3,10 +3,10 @@
 
 namespace Program {
 
-// What the build bundles from the folder page/, in pieces, of which the last one is a null pointer.
+// The files of the folder page/, bundled by the build as pieces that end with a null pointer.
 extern const char* const page_head[]; ///< before the data
-extern const char* const page_tail[]; ///< behind them
-extern const char* const page_fault;  ///< why there is none; empty if there is
+extern const char* const page_tail[]; ///< after the data
+extern const char* const page_fault;  ///< the reason why there is no page; empty if there is one
 
 } // namespace Program
 

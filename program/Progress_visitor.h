@@ -15,12 +15,12 @@
 
 namespace Program {
 
-/// A visitor that keeps what each sweep over the mesh, or each global step, has reached, shows it in one line of the
-/// terminal, and stops after a signal.
+/// A visitor that records energy and radius of each sweep or global step, shows them in one line of the terminal, and stops after a
+/// signal.
 class Progress_visitor : public CGAL::Spherical_parameterization::Default_visitor
 {
 public:
-  /// constructs the visitor, which shows something if that is wanted and the standard error stream is a terminal.
+  /// constructs the visitor; it shows progress if `is_shown` and the standard error stream is a terminal.
   explicit Progress_visitor(bool is_shown)
     : m_is_shown(is_shown && has_terminal())
   {}
@@ -55,7 +55,7 @@ public:
 
   void on_optimization_end() { erase(); }
 
-  /// returns iteration, energy and radius of each sweep or step; of every second, fourth, ... if they are more than 2000.
+  /// returns iteration, energy and radius of each sweep or step; if there are more than 2000, of every second, fourth, ...
   const std::vector<std::array<double, 3>>& history() const { return m_history; }
 
 private:

@@ -23,7 +23,7 @@ namespace Program {
 
 namespace {
 
-// Returns the domain of this name.
+// Returns the domain with this name.
 SP::Sphere_domain_3 find_domain(const std::string& solid_or_file, unsigned int n)
 {
   if(solid_or_file == "octahedron")
@@ -36,8 +36,8 @@ SP::Sphere_domain_3 find_domain(const std::string& solid_or_file, unsigned int n
   SP::Sphere_domain_3 domain;
   const SP::Error_code error = SP::make_sphere_domain(mesh.mesh(), mesh.mesh().points(), domain);
   if(error == SP::ERROR_NO_1_TO_1_MAPPING)
-    throw error_in(solid_or_file, "is no mesh of the sphere to sample by: not all of its faces are positively "
-                                  "oriented as seen from the origin, or they do not cover the sphere once");
+    throw error_in(solid_or_file, "is not a mesh of the sphere: not all of its faces are positively oriented as seen "
+                                  "from the origin, or they do not cover the sphere exactly once");
   if(error != SP::OK)
     mesh.check();
   return domain;
@@ -58,7 +58,7 @@ SP::Error_code write_image_of([[maybe_unused]] std::ostream& out, const std::str
   throw Program_error("this program was built without the library that writes ", format, " files");
 }
 
-// Returns 1 to 4 for the bytes red, green, blue and alpha of a colour, 0 for all else.
+// Returns 1 to 4 for the bytes red, green, blue and alpha of a color, 0 for other properties.
 std::ptrdiff_t channel_of(const Values& values)
 {
   const Words channels = {"red", "green", "blue", "alpha"};
@@ -80,7 +80,7 @@ void add_values(Mesh& mesh, const std::string& prefix, const std::vector<Values>
         values.type);
 }
 
-// Gives values the surface that they are of, if their file has none.
+// Adds the surface of values if their file has none.
 void add_surface(File_content& values, const Options& options, Input_mesh& input)
 {
   if(!values.points.empty())
@@ -104,7 +104,7 @@ void add_surface(File_content& values, const Options& options, Input_mesh& input
 
 } // namespace
 
-Words leave_out_taken_names(std::vector<Values>& all, bool are_of_vertices)
+Words remove_reserved_names(std::vector<Values>& all, bool are_of_vertices)
 {
   const auto number_of = [&](const auto& is_it) { return std::count_if(all.begin(), all.end(), is_it); };
   const auto is_of_normal = [](const Values& values) { return is_among(values.name, {"nx", "ny", "nz"}); };
@@ -126,7 +126,7 @@ Words leave_out_taken_names(std::vector<Values>& all, bool are_of_vertices)
       left_out.push_back(values.name);
   if(lacks_alpha)
     kept.push_back({"alpha", std::uint8_t(), std::vector<double>(kept.front().numbers.size(), 255.)});
-  const auto rank = [](const Values& values) { return (channel_of(values) + 4) % 5; }; // colours come first
+  const auto rank = [](const Values& values) { return (channel_of(values) + 4) % 5; }; // colors first
   std::stable_sort(kept.begin(), kept.end(), [&](const Values& a, const Values& b) { return rank(a) < rank(b); });
   all = std::move(kept);
   return left_out;
@@ -140,7 +140,8 @@ void add_values(Mesh& mesh, const std::vector<Values>& of_vertices, const std::v
 
 Remesh::Remesh(Input_mesh& input, const Sphere_map& sphere, const std::string& domain, unsigned int n)
   : m_origin(inherited(input.origin(), false))
-  , m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices").first) // no name in a PLY file
+  , m_images(m_mesh.add_property_map<Vertex_index, Point_3>("images of vertices")
+                 .first) // a name that the PLY writer ignores
   , m_normals(m_mesh.add_property_map<Vertex_index, Kernel::Vector_3>("v:normal").first)
 {
   check(SP::remesh_through_sphere(input.mesh(), sphere, find_domain(domain, n), m_mesh, m_images,
@@ -214,7 +215,7 @@ void Remesh::write_image(std::ostream& out, const std::string& name, bool shows_
         name);
 }
 
-void Remesh::carry_values(const Options& options, Input_mesh& input, const Sphere_map& sphere)
+void Remesh::transfer_values(const Options& options, Input_mesh& input, const Sphere_map& sphere)
 {
   const std::string& name = options.text("transfer");
   const bool is_of_input = !options.has("values-sphere");
@@ -222,9 +223,9 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
   if(is_of_input)
   {
     if(!soup.points.empty())
-      input.check_faces_of(name, "has no values for this mesh", soup.points.size(), soup.polygons);
-    soup = input.carried(std::move(soup));
-    soup.points.clear(); // which are those of the input
+      input.check_faces_of(name, "does not match this mesh", soup.points.size(), soup.polygons);
+    soup = input.transferred(std::move(soup));
+    soup.points.clear(); // which equal those of the input
   }
   add_surface(soup, options, input);
   Hemispheres files = input.hemispheres();
@@ -238,20 +239,20 @@ void Remesh::carry_values(const Options& options, Input_mesh& input, const Spher
     m_label_names = std::move(soup.label_names);
   }
   else if(!soup.labels.empty())
-    left_out.push_back("the names and colours of its labels, which a GIFTI file can hold");
+    left_out.push_back("the names and colors of its labels, which need a GIFTI file");
   Input_mesh values(name, std::move(soup));
-  for(const std::string& property : leave_out_taken_names(of_vertices, true))
-    left_out.push_back("the property '" + printable(property) + "' of the vertices, whose name is taken");
-  for(const std::string& property : leave_out_taken_names(of_faces, false))
-    left_out.push_back("the property '" + printable(property) + "' of the faces, whose name is taken");
-  constexpr std::size_t max_properties = 4096 - 6; // of a .ply file, which is read again, beside points and normals
+  for(const std::string& property : remove_reserved_names(of_vertices, true))
+    left_out.push_back("the vertex property '" + printable(property) + "', whose name is reserved");
+  for(const std::string& property : remove_reserved_names(of_faces, false))
+    left_out.push_back("the face property '" + printable(property) + "', whose name is reserved");
+  constexpr std::size_t max_properties = 4096 - 6; // that the reader of .ply files accepts besides points and normals
   if(options.file_names.values.empty() && of_vertices.size() > max_properties)
-    throw error_in(name, "has ", of_vertices.size(), " values for each vertex, but a .ply file holds at most ",
-                   max_properties, ".\nWrite a .gii file, which has them in a file of its own.");
+    throw error_in(name, "has ", of_vertices.size(), " values per vertex, but a .ply file can have at most ",
+                   max_properties, ".\nWrite a .gii file, whose values go to a separate file.");
   for(const std::string& what : left_out)
-    m_warnings += printable(name) + ": not carried over: " + what + '\n';
-  carry(values, is_of_input ? sphere : values.read_map(options.text("values-sphere")), std::move(of_vertices),
-        std::move(of_faces));
+    m_warnings += printable(name) + ": not transferred: " + what + '\n';
+  transfer(values, is_of_input ? sphere : values.read_map(options.text("values-sphere")), std::move(of_vertices),
+           std::move(of_faces));
 }
 
 void Remesh::mark_patches(Input_mesh& input, const Sphere_map& sphere)
@@ -259,18 +260,18 @@ void Remesh::mark_patches(Input_mesh& input, const Sphere_map& sphere)
   Values patch = {"patch", std::uint8_t(), {}};
   for(const Mesh::Face_index f : input.mesh().faces())
     patch.numbers.push_back(input.is_patch(f) ? 1. : 0.);
-  carry(input, sphere, {}, {patch});
+  transfer(input, sphere, {}, {patch});
 }
 
-// Two types are enough: doubles are averaged, integers are not.
-void Remesh::carry(Input_mesh& source, const Sphere_map& sphere, std::vector<Values> of_vertices,
-                   std::vector<Values> of_faces)
+// Two types suffice: doubles are averaged, integers are not.
+void Remesh::transfer(Input_mesh& source, const Sphere_map& sphere, std::vector<Values> of_vertices,
+                      std::vector<Values> of_faces)
 {
-  const auto carry_all = [&](auto& carrier, auto index, std::vector<Values>& all) {
+  const auto transfer_all = [&](auto& carrier, auto index, std::vector<Values>& all) {
     using Index = decltype(index);
     for(Values& values : all)
     {
-      const auto carry_as = [&](auto number) {
+      const auto transfer_as = [&](auto number) {
         auto from = source.mesh().add_property_map<Index, decltype(number)>().first,
              to = m_mesh.add_property_map<Index, decltype(number)>().first;
         std::copy(values.numbers.begin(), values.numbers.end(), from.begin());
@@ -281,21 +282,21 @@ void Remesh::carry(Input_mesh& source, const Sphere_map& sphere, std::vector<Val
       };
       if(std::holds_alternative<float>(values.type))
         for(double& x : values.numbers)
-          x = static_cast<float>(x); // a text may have more digits
+          x = static_cast<float>(x); // text may have more digits
       if(values.has_fractions() || channel_of(values) > 0)
-        carry_as(double());
+        transfer_as(double());
       else
-        carry_as(std::int64_t());
+        transfer_as(std::int64_t());
       if(channel_of(values) > 0)
         for(double& x : values.numbers)
           x = std::round(x);
     }
   };
-  check(SP::internal::carry_properties<CGAL::Parallel_if_available_tag>(
+  check(SP::internal::transfer_properties<CGAL::Parallel_if_available_tag>(
             source.mesh(), sphere, m_mesh, m_images, CGAL::parameters::default_values(),
             [&](auto& carrier) {
-              carry_all(carrier, Vertex_index(), of_vertices);
-              carry_all(carrier, Mesh::Face_index(), of_faces);
+              transfer_all(carrier, Vertex_index(), of_vertices);
+              transfer_all(carrier, Mesh::Face_index(), of_faces);
             }),
         source.name());
   add_values(m_mesh, of_vertices, of_faces);

@@ -29,7 +29,7 @@ std::string sizes_of_others(const Run_report::Component& component)
   const std::size_t n_rest = all.size() - 1 - sizes.size();
   return sizes.empty() ? ""
                        : joined("; the others have ", list_of(sizes, " and "),
-                                n_rest > 0 ? joined(", and ", n_rest, " less") : "");
+                                n_rest > 0 ? joined(", and ", n_rest, " more have fewer") : "");
 }
 
 void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
@@ -37,9 +37,9 @@ void print_remesh(std::ostream& out, const Run_report::Remesh_figures& remesh)
   const auto larger = [&](const std::array<double, 2>& distances) {
     return fixed_text((std::max)(distances[0], distances[1]) / remesh.diagonal, 2, false);
   };
-  out << "Remesh:    " << sizes_of(remesh.number_of_vertices, remesh.number_of_faces) << "; it is off the surface by "
-      << larger(remesh.root_mean_square) << " of its diagonal in the root mean square, " << fixed_text(remesh.psnr, 2)
-      << " dB, and by " << larger(remesh.maximum) << " at most\n";
+  out << "Remesh:    " << sizes_of(remesh.number_of_vertices, remesh.number_of_faces)
+      << "; distance from the surface, relative to its diagonal: root mean square " << larger(remesh.root_mean_square)
+      << " (" << fixed_text(remesh.psnr, 2) << " dB), maximum " << larger(remesh.maximum) << '\n';
 }
 
 } // namespace
@@ -80,10 +80,7 @@ bool Run_report::is_interrupted() const
 
 std::string Run_report::verdict() const
 {
-  return !result.is_one_to_one ? "Not one-to-one: " + fault()
-         : match && match->report.is_uncertain
-             ? "Certified: the map is one-to-one. It is not clear that the surfaces lie well on each other."
-             : "Certified: the map is one-to-one.";
+  return !result.is_one_to_one ? "Not bijective: " + fault() : "Certified: the map is bijective.";
 }
 
 void Run_report::print_surface(std::ostream& out) const
@@ -93,7 +90,7 @@ void Run_report::print_surface(std::ostream& out) const
   out << "Mesh      " << printable(m_input) << (is_repaired ? ", repaired: " : ": ")
       << sizes_of(run.number_of_vertices, run.number_of_faces);
   if(run.number_of_isolated_vertices > 0)
-    out << ", and " << run.number_of_isolated_vertices << " vertices without a face";
+    out << ", and " << run.number_of_isolated_vertices << " isolated vertices";
   if(run.number_of_flat_faces > 0)
     out << "; " << run.number_of_flat_faces << (run.number_of_flat_faces == 1 ? " face is" : " faces are")
         << " nearly flat";
@@ -106,7 +103,7 @@ void Run_report::print_surface(std::ostream& out) const
     const char* name = "Repaired  ";
     for(const std::string& line : repair->descriptions())
       out << std::exchange(name, "          ") << line << '\n';
-    // What is left out may be what was wanted.
+    // The removed components may be needed.
     if(20 * repair->report().removed_faces.number > run.number_of_faces && !m_options.has("each-component"))
       out << "          map --each-component maps each component\n";
   }
@@ -146,7 +143,8 @@ void Run_report::print(std::ostream& out) const
   if(result.areas)
     print_areas(out);
   out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
-      << " degenerate faces" << (distortion.number_of_degenerate_faces > 0 ? ", which are left out" : "") << "\n\n"
+      << " degenerate faces"
+      << (distortion.number_of_degenerate_faces > 0 ? ", which are excluded from the statistics" : "") << "\n\n"
       << verdict() << '\n';
   if(remesh)
     print_remesh(out, *remesh);
@@ -155,7 +153,7 @@ void Run_report::print(std::ostream& out) const
   for(const std::string& file : files)
     out << "Written:   " << printable(file) << '\n';
   if(color_range)
-    out << "Colours:   " << color_name() << " from " << fixed_text((*color_range)[0], 3) << " (violet) to "
+    out << "Colors:    " << color_name() << " from " << fixed_text((*color_range)[0], 3) << " (violet) to "
         << fixed_text((*color_range)[1], 3) << " (yellow)\n";
   out << std::flush;
 }
@@ -165,24 +163,24 @@ std::string Run_report::short_text() const
   const SP::Distortion_statistics& isometric = (balanced ? *balanced : distortion).isometric;
   return joined(result.report.number_of_vertices, " vertices, D_iso ", fixed_text(isometric.maximum, 4, false), " / ",
                 fixed_text(isometric.average, 4, false), ", ", fixed_text(seconds(), 2), " s",
-                result.is_one_to_one ? "" : ", folds: " + fault());
+                result.is_one_to_one ? "" : ", not bijective: " + fault());
 }
 
 std::string Run_report::warnings() const
 {
   const std::string others = match ? match->warnings : remesh ? remesh->warnings : "";
   return joined(repair != nullptr && repair->report().added_area > 0.5
-                    ? printable(m_input) + ": more than half of the area that is mapped has been added: "
-                                           "the surface has little to say of its sphere\n"
+                    ? printable(m_input) + ": hole patches are more than half of the mapped area, so that they "
+                                           "determine most of the map\n"
                     : "",
                 others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "", others);
 }
 
 std::string Run_report::explain_fault() const
 {
-  return printable(m_input) + ": the map is not one-to-one: " + fault() +
+  return printable(m_input) + ": the map is not bijective: " + fault() +
          (m_options.sphere_file.empty()
-              ? "\n--method " + m_options.method + " does not exclude that; --method bld does."
+              ? "\n--method " + m_options.method + " does not guarantee bijectivity; --method bld does."
               : "");
 }
 
@@ -194,26 +192,26 @@ void Run_report::print_match(std::ostream& out) const
       << " vertices; symmetric Dirichlet energy ";
   if(d)
     out << number(d->energy.average_over_first) << " / " << number(d->energy.average_over_second)
-        << " over both surfaces, D_iso " << number(d->isometric.average_over_first) << " / "
-        << number(d->isometric.average_over_second) << ", " << number(d->isometric.maximum) << " at most";
+        << " averaged over both surfaces, D_iso " << number(d->isometric.average_over_first) << " / "
+        << number(d->isometric.average_over_second) << ", maximum " << number(d->isometric.maximum);
   else
-    out << "about " << number(report.energy) << ", by samples: the common refinement has too many vertices to be made";
+    out << "about " << number(report.energy) << ", sampled, because the common refinement has too many vertices";
   if(energy_before)
-    out << "\nSplit:     " << n_new << " edges, with " << 2 * n_new << " more faces; energy " << number(*energy_before)
-        << " before, " << number(report.energy) << " now";
+    out << "\nSplit:     " << n_new << " edges, which adds " << 2 * n_new << " faces; energy " << number(*energy_before)
+        << " before, " << number(report.energy) << " after";
   out << "\nAligned:   by ";
   const std::size_t n_landmarks = report.landmark_distances.size();
   if(n_landmarks == 0 || report.agreement != 0.)
-    out << "features, which agree by " << number(report.agreement) << ", with a margin of " << number(report.margin)
+    out << "features, agreement " << number(report.agreement) << ", margin " << number(report.margin)
         << (report.expected_error ? ", expected error " + number(*report.expected_error) : "")
-        << (report.is_uncertain ? ": look whether the map is right" : "");
+        << (report.is_uncertain ? " (ambiguous: check the map)" : "");
   else
     out << "landmarks";
   if(n_landmarks > 0)
     out << "; " << n_landmarks - report.number_of_missed_landmarks << " of " << n_landmarks << " landmarks "
         << (m_options.landmark_weight > 0. ? "are soft" : "are met");
   out << "; " << SP::get_stop_message(report.stop_reason)
-      << "\nCertified: the map between the surfaces is one-to-one.\n";
+      << "\nCertified: the map between the surfaces is bijective.\n";
 }
 
 std::string Run_report::fault() const

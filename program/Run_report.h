@@ -11,142 +11,140 @@ namespace Program {
 
 Json json_of(const SP::Distortion_statistics& of);
 
-/// returns "12 vertices, 20 faces", say.
+/// returns a text such as "12 vertices, 20 faces".
 std::string sizes_of(std::size_t number_of_vertices, std::size_t number_of_faces);
 
-/// The size of a file and when it was last changed: by which many build tools see whether it is as it was.
+/// The size and modification time of a file, to detect changes, as in many build tools.
 struct File_stamp
 {
   File_stamp() = default;
 
-  /// takes the stamp of a file; it is empty if there is no such file, or nothing is known of it.
+  /// takes the stamp of a file; empty if the file does not exist or cannot be examined.
   explicit File_stamp(const std::string& name);
 
   bool is_empty() const { return changed.empty(); }
   Json json() const { return {{"bytes", bytes}, {"changed", changed}}; }
 
   std::uintmax_t bytes = 0;
-  std::string changed; ///< in ticks of the clock of the file system, of which nothing but equality is meant
+  std::string changed; ///< in ticks of the clock of the file system; only compared for equality
 };
 
-/// All that is told of a run: as a text for people, as JSON for programs.
+/// The report of a run, as text and as JSON.
 class Run_report
 {
 public:
-  /// \param options have to live longer
+  /// \param options must outlive the report
   Run_report(const Options& options, const std::string& input)
     : m_options(options)
     , m_input(input)
   {}
 
-  /// The reason to stop, as JSON tells it, of a run that was asked for its map before the method had come to its end.
+  /// The value of `stop_reason` in JSON of a run that was interrupted before the method ended.
   static constexpr const char* stop_reason_interrupted = "interrupted";
 
-  /// The component of a surface that was picked, of several.
+  /// The component of a surface that is mapped, of several.
   struct Component
   {
     Component() = default;
 
-    /// picks the first one.
+    /// selects the first component.
     ///
-    /// \param all the faces of each
+    /// \param all the faces of each component
     explicit Component(const std::vector<std::vector<std::size_t>>& all);
 
     std::size_t index = 0;
-    std::shared_ptr<const std::vector<std::size_t>>
-        sizes; ///< in faces, of all components; the reports of all of them share it
+    std::shared_ptr<const std::vector<std::size_t>> sizes; ///< in faces, of all components; shared by their reports
   };
 
-  /// What is told of a remesh.
+  /// Figures of a remesh.
   struct Remesh_figures
   {
     std::size_t number_of_vertices, number_of_faces;
-    std::array<double, 2> root_mean_square, maximum; ///< of the distances from the surface, and to it
+    std::array<double, 2> root_mean_square, maximum; ///< of the distances from the surface and to it
     double diagonal, psnr;
-    std::string warnings; ///< of properties that are not carried over
+    std::string warnings; ///< about properties that are not transferred
   };
 
-  /// What is told of a map between two surfaces.
+  /// Figures of a map between two surfaces.
   struct Match_figures
   {
     std::string other;        ///< the file of the other surface
-    bool is_template = false; ///< whether the other one is mapped onto the input
+    bool is_template = false; ///< whether the other surface is mapped onto the input
     std::size_t number_of_vertices = 0;
     SP::Surface_map_report report;
-    std::optional<SP::Distortion_between> distortion; ///< none if the common refinement is too large to be made
+    std::optional<SP::Distortion_between> distortion; ///< none if the common refinement is too large
     std::string warnings;                             ///< see `Surface_match`
     std::optional<double> energy_before;              ///< if the first surface has been refined
-    std::size_t number_of_new_vertices = 0;           ///< that it has then
-    std::vector<std::size_t> parents;                 ///< what its faces are parts of, as numbers in the file
+    std::size_t number_of_new_vertices = 0;           ///< of the refined surface
+    std::vector<std::size_t> parents;                 ///< for each of its faces, the face of the file that contains it
   };
 
   Run_result result;
   SP::Distortion_summary distortion;
-  /// with the radius of eq. 11, if the map is to the unit sphere, whatever the size of the surface
+  /// with the radius of eq. 11, if the map is to the unit sphere, independently of the size of the surface
   std::optional<SP::Distortion_summary> balanced;
-  std::optional<double> written_radius; ///< of the sphere in its file, if it is not that of the map
+  std::optional<double> written_radius; ///< of the sphere in its file, if it differs from that of the map
   double seconds_for_input = 0.;        ///< reading and checking the file
   double seconds_for_measuring = 0., seconds_for_sampling = 0.;
-  double seconds_for_matching = 0.;        ///< the other surface, and the map between both
-  double seconds_for_output = 0.;          ///< writing all files but that with this report
-  Words files;                             ///< that were written
-  std::string hemisphere;                  ///< that the surface is of; empty if that is not known
-  std::string mixed_hemispheres;           ///< a line, if the name and the metadata of the file disagree
-  File_stamp input_stamp;                  ///< of the file, before it was read, but for its parts
-  File_stamp start_stamp;                  ///< of the file with the map to start from; empty if there is none
-  std::optional<Checksum> sphere_checksum; ///< if it was written, and to an ordinary file
-  std::optional<Component> component;      ///< none if all of the surface was taken
-  const Surface_repair* repair = nullptr;  ///< what was repaired, null if that was not wanted
+  double seconds_for_matching = 0.;        ///< reading the other surface, and mapping between both
+  double seconds_for_output = 0.;          ///< writing all files except this report
+  Words files;                             ///< written files
+  std::string hemisphere;                  ///< of the surface; empty if unknown
+  std::string mixed_hemispheres;           ///< a warning, one line, if name and metadata of the file disagree
+  File_stamp input_stamp;                  ///< of the input file, before it was read
+  File_stamp start_stamp;                  ///< of the file with the initial map; empty if there is none
+  std::optional<Checksum> sphere_checksum; ///< if it was written to a regular file
+  std::optional<Component> component;      ///< none if the whole surface is mapped
+  const Repair_step* repair = nullptr;     ///< null if no repair was requested
   std::optional<Remesh_figures> remesh;
   std::optional<Match_figures> match;
-  /// the distortion with the darkest colour, and that with the lightest, if colours were written
+  /// the distortions with the darkest and the lightest color, if colors were written
   std::optional<std::array<double, 2>> color_range;
 
   const std::string& input() const { return m_input; }
 
-  /// returns whether a signal has ended the method, or the map between surfaces.
+  /// returns whether a signal has stopped the method, or the map between surfaces.
   bool is_interrupted() const;
 
   double seconds() const;
 
-  /// returns whether the method only cares for angles.
+  /// returns whether the method preserves only angles.
   bool shows_angles() const { return m_options.is_conformal(); }
 
-  /// returns what the certificate has found.
+  /// returns the result of the certificate in words.
   std::string verdict() const;
 
-  /// returns the statistics of a measure, by their names: between the surfaces, if there are two.
+  /// returns the statistics of a measure by name: between the surfaces, if there are two.
   Json statistics(SP::Distortion_statistics SP::Distortion_summary::*of_sphere,
                   SP::Distortion_between::Statistics SP::Distortion_between::*of_surfaces) const;
 
-  /// returns what the run was, as texts.
+  /// returns the settings and sizes of the run as texts by name.
   Json summary() const;
 
   void print(std::ostream& out) const;
 
-  /// prints what there is to say of the surface itself.
+  /// prints the part of the report about the surface itself.
   void print_surface(std::ostream& out) const;
 
-  /// returns what matters most in one line, without its end.
+  /// returns the most important figures in one line, without a line break.
   std::string short_text() const;
 
-  /// returns what is to be said of patches, of a name that disagrees with the metadata, and of the map between surfaces or the remesh,
-  /// a line each, empty if there is nothing.
+  /// returns the warnings about patches, hemispheres, and the map between surfaces or the remesh, one per line; empty if there are none.
   std::string warnings() const;
 
-  /// returns what is wrong with a map that is not one-to-one, and what helps.
+  /// returns why a map is not bijective, and what helps.
   std::string explain_fault() const;
 
   std::string json() const;
 
-  /// returns a report that lacks its end, with its checksum as the last member.
+  /// completes a report without its end by its checksum, as the last member.
   static std::string sealed(const std::string& text);
 
-  /// What comes between a report and the checksum of what is before.
+  /// The text between a report and the checksum of the text before.
   static constexpr const char* seal = ",\n  \"crc32\": ";
 
 private:
-  // The parts of the running time, by their names.
+  // The parts of the running time by name.
   std::vector<std::pair<std::string, double>> phases() const;
 
   void print_match(std::ostream& out) const;

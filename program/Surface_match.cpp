@@ -32,9 +32,9 @@ Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
     return;
   }
   if(!run_method(options, input, sphere).is_one_to_one)
-    throw error_in(name, "the map to the sphere is not one-to-one.\n--method bld excludes that.");
-  if(options.follows_convention(options.file_names.sphere)) // Directions on it turn along, as they are found on it.
-    turn_to_surface(input, sphere);
+    throw error_in(name, "the map to the sphere is not bijective.\n--method bld guarantees bijectivity.");
+  if(options.follows_convention(options.file_names.sphere)) // before directions on it are computed
+    rotate_sphere_to_surface(input, sphere);
 }
 
 Mapped_mesh::Mapped_mesh(const Mapped_mesh& other)
@@ -45,10 +45,10 @@ Mapped_mesh::Mapped_mesh(const Mapped_mesh& other)
     sphere[v] = other.sphere[v];
 }
 
-// The mesh is a sphere itself, of any radius; it gets the radius 1.
+// The mesh is a sphere of any radius; it is scaled to the radius 1.
 void Mapped_mesh::take_own_sphere()
 {
-  // Workbench refuses 1.001, and what is no sphere, such as an inflated surface, has 2 and more.
+  // Workbench rejects 1.001; surfaces that are not spheres, such as inflated ones, have 2 and more.
   constexpr double max_ratio = 1.01;
   input.check();
   double least = std::numeric_limits<double>::infinity(), largest = 0.;
@@ -61,14 +61,15 @@ void Mapped_mesh::take_own_sphere()
       input.mesh().point(v) = sphere[v] = Point_3(p.x() / distance, p.y() / distance, p.z() / distance);
     }
   if(largest > max_ratio * least)
-    throw error_in(input.name(), "is no sphere around the origin: its vertices are from ", least, " to ", largest,
-                   " away from that");
+    throw error_in(input.name(),
+                   "is not a sphere around the origin: the distances of its vertices from the origin range from ",
+                   least, " to ", largest);
   radius = 0.5 * (least + largest);
   if(!SP::is_bijective(input.mesh(), sphere))
     throw error_in(input.name(), no_sphere);
 }
 
-// A vertex without a face stays at the origin.
+// Isolated vertices remain at the origin.
 Sphere_map Mapped_mesh::add_sphere()
 {
   return input.mesh().add_property_map<Vertex_index, Point_3>("v:target", Point_3(0, 0, 0)).first;
@@ -112,7 +113,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
   mapper = mapper.masks({counts(0), counts(1)});
   Progress_visitor progress(!options.has("quiet") && !options.is_batch());
   const auto start = std::chrono::steady_clock::now();
-  const auto seconds_left = [&] { // of the limit, which is that of all rounds; 0 if there is none
+  const auto seconds_left = [&] { // until the limit, which applies to all rounds; 0: no limit
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return options.max_seconds > 0. ? (std::max)(options.max_seconds - passed.count(), 1e-9) : 0.;
   };
@@ -146,7 +147,7 @@ Surface_match::Surface_match(const Options& options, Input_mesh& first, const Sp
       m_expected_errors.push_back(m_refinement->value_at(errors, v));
   if(!spheres && !needs_overlay && (report.distortion || report.is_energy_sampled))
     distortion = report.distortion;
-  else // The report of a run that was stopped has none, and that between spheres is not the one between surfaces.
+  else // A stopped run reports no distortion, and the distortion between spheres is not that between surfaces.
   {
     error = SP::overlay(m_first, m_directions, m_second, m_sphere2, *m_overlay);
     if(error == SP::OK)
@@ -164,8 +165,7 @@ void Surface_match::add_warnings()
   std::ostringstream text;
   text << m_hints.warnings;
   if(figures.report.is_uncertain)
-    text << "it is not clear that the surfaces lie well on each other: look at the map, for example with --page, or "
-            "give --landmarks\n";
+    text << "the alignment of the surfaces is ambiguous: check the map, for example with --page, or give --landmarks\n";
   const std::vector<double>& distances = figures.report.landmark_distances;
   for(std::size_t k = 0; k < distances.size() && !m_is_soft; ++k)
     if(distances[k] > 0.)

@@ -15,13 +15,13 @@ namespace Program {
 
 using Overlay = SP::Surface_overlay_3<Mesh, Mesh>;
 
-/// A mesh and its map to the sphere, one-to-one.
+/// A mesh and its bijective map to the sphere.
 struct Mapped_mesh
 {
-  /// reads a mesh and maps it as the options say.
+  /// reads a mesh and maps it according to the options.
   Mapped_mesh(const Options& options, const std::string& name);
 
-  /// copies the mesh, so that several threads can use it at once.
+  /// copies the mesh, so that several threads can use it concurrently.
   Mapped_mesh(const Mapped_mesh& other);
   Mapped_mesh& operator=(const Mapped_mesh&) = delete;
 
@@ -38,37 +38,39 @@ private:
 class Surface_match
 {
 public:
-  /// finds the map; `needs_overlay` says whether `overlay()` will be asked for.
+  /// finds the map.
+  ///
+  /// \param needs_overlay whether `overlay()` will be called
   Surface_match(const Options& options, Input_mesh& first, const Sphere_map& sphere1, Input_mesh& second,
                 const Sphere_map& sphere2, bool needs_overlay);
 
   ~Surface_match();
 
-  /// What is reported of the map. Its warnings are of files of different hemispheres, of properties that are no features, of a map that may
-  /// be wrong, and of landmarks that are missed, a line each.
+  /// Figures of the map. Its warnings, one per line, are about files of different hemispheres, properties that are not features, an
+  /// ambiguous alignment, and missed landmarks.
   Run_report::Match_figures figures;
 
   const Overlay& overlay() const { return *m_overlay; }
 
-  /// returns the first surface, as it has been refined, and the directions of its vertices on the sphere of the second one.
+  /// returns the first surface after refinement, and the directions of its vertices on the sphere of the second one.
   Input_mesh& input() const { return m_input; }
   const Sphere_map& directions() const { return m_directions; }
 
-  /// writes the faces of the first surface, with its vertices where they are on the second one.
+  /// writes the faces of the first surface with its vertices on the second one.
   void write_positions(std::ostream& out, const std::string& format) const;
 
-  /// returns how far the image of each vertex of the first surface is expected to be from where it should be, over the root of the area of
-  /// the second one; empty if there is no estimate.
+  /// returns the expected distance of the image of each vertex of the first surface from the corresponding point, relative to the square
+  /// root of the area of the second one; empty if there is no estimate.
   const std::vector<double>& expected_errors() const { return m_expected_errors; }
 
-  /// writes these: in a PLY file with the first surface, in other formats as values of vertices.
+  /// writes the expected errors: in a PLY file with the first surface, in other formats as vertex values.
   void write_expected_errors(std::ostream& out, const std::string& format) const;
 
-  /// writes the common refinement as a PLY file: with the places on the first surface, and as properties those on the
-  /// second one and the numbers of both faces.
+  /// writes the common refinement as a PLY file: with its points on the first surface, and as properties the corresponding points on the
+  /// second one and the indices of both faces.
   void write_overlay(std::ostream& out) const;
 
-  /// writes the common refinement with vertices on the way from the first surface (0) to the second one (1).
+  /// writes the common refinement with vertices interpolated between the first surface (0) and the second one (1).
   void write_morph(std::ostream& out, const std::string& format, double t) const;
 
 private:
@@ -83,7 +85,7 @@ private:
   Sphere_map m_directions;
   std::unique_ptr<SP::Surface_refinement_3<Mesh>> m_refinement;
   Surface_hints m_hints;
-  bool m_is_soft; // whether landmarks are
+  bool m_is_soft; // whether landmarks are soft
   std::vector<double> m_expected_errors;
   std::unique_ptr<Overlay> m_overlay;
 };

@@ -13,8 +13,8 @@ namespace Program {
 
 namespace {
 
-// The report that an earlier run has left for a mesh, if there is one. As its checksum says that it is as `Run_report` has written
-// it, its members can be compared as texts.
+// The report of an earlier run for a mesh, if there is one. Its checksum guarantees that it is unchanged since `Run_report` wrote it, so
+// its members can be compared as texts.
 class Earlier_report
 {
 public:
@@ -27,15 +27,15 @@ public:
       if(std::filesystem::file_size(path_of(names.json)) <= max_size)
         m_text = read_file(names.json);
     }
-    catch(const std::exception&) // what cannot be read is the report of no run
+    catch(const std::exception&) // an unreadable report is ignored
     {}
     if(m_text != Run_report::sealed(m_text.substr(0, m_text.rfind(Run_report::seal))))
       m_text.clear();
   }
 
-  // returns whether the mesh is done: its map is there as it was written, and made by this program with these options from the
-  // input as it is now. A map that was interrupted is not done.
-  bool tells_the_same_run(const Options& options) const
+  // returns whether the mesh is done: its map exists unchanged, and was computed by this program version with these options from the
+  // current input. An interrupted map is not done.
+  bool matches_run(const Options& options) const
   {
     const std::string begin = "\n  \"input\": \"";
     const std::size_t found = (std::min)(m_text.find(begin) + begin.size(), m_text.size());
@@ -45,19 +45,19 @@ public:
                file_name(Json(m_names.input).text().substr(1)) &&
            !has_value("stop_reason", Run_report::stop_reason_interrupted) && has_stamp("input_stamp", m_names.input) &&
            (options.start_or_template().empty() || has_stamp("start_stamp", options.start_or_template())) &&
-           tells_sphere();
+           matches_sphere();
   }
 
   bool is_one_to_one() const { return has_value("one_to_one", true); }
 
-  // removes the report and its map, if they are of another input or of other options, and no other run has replaced them since.
-  void remove_what_is_outdated(const Options& options) const
+  // removes the report and its map if they belong to another input or other options and no other run has replaced them since.
+  void remove_outdated_files(const Options& options) const
   {
     const Folder_lock lock(path_of(m_names.json).parent_path());
-    if(m_text.empty() || Earlier_report(m_names).m_text != m_text || tells_the_same_run(options))
+    if(m_text.empty() || Earlier_report(m_names).m_text != m_text || matches_run(options))
       return;
     std::error_code ignored;
-    if(tells_sphere())
+    if(matches_sphere())
       std::filesystem::remove(path_of(m_names.sphere), ignored);
     std::filesystem::remove(path_of(m_names.json), ignored);
   }
@@ -67,7 +67,7 @@ private:
   bool has_value(const std::string& name, const Json& value) const
   {
     std::string member = Json{{name, value}}.text();
-    member.replace(member.rfind('\n'), member.npos, ",\n"); // in place of the end of the object
+    member.replace(member.rfind('\n'), member.npos, ",\n"); // instead of the end of the object
     return m_text.find(member.substr(1)) != m_text.npos;
   }
 
@@ -77,7 +77,7 @@ private:
     return !stamp.is_empty() && has_value(name, stamp.json());
   }
 
-  bool tells_sphere() const
+  bool matches_sphere() const
   {
     std::error_code error;
     if(!std::filesystem::is_regular_file(path_of(m_names.sphere), error) ||
@@ -92,27 +92,27 @@ private:
   }
 
   const File_names& m_names;
-  std::string m_text; // empty if there is none
+  std::string m_text; // empty if there is no report
 };
 
-// Many meshes, each of which is mapped as if it were the only one. A line tells of each as it ends, and a summary of all.
+// Maps many meshes, each as if it were the only one. Prints a line for each mesh, and a summary.
 class Batch
 {
 public:
-  // checks all that can be checked before any work.
+  // makes all checks that are possible before the first mesh is mapped.
   explicit Batch(const Options& options)
     : m_options(options)
     , m_meshes(find_batch(options))
   {}
 
-  // maps all meshes that are not done; what fails with one of them does not stop the others. Returns the exit status.
+  // maps all meshes that are not done. A mesh that fails does not stop the others. Returns the exit status.
   int run()
   {
     look_at_earlier_results();
     std::vector<std::uintmax_t> sizes;
     for(const File_names& names : m_meshes)
     {
-      std::error_code error; // reading fails as well, and says why
+      std::error_code error; // reading fails later and reports why
       const std::uintmax_t size = std::filesystem::file_size(path_of(names.input), error);
       sizes.push_back(error ? 0 : size);
     }
@@ -125,44 +125,44 @@ public:
     print_summary();
     if(m_mapped < m_meshes.size())
       return EXIT_FAILURE;
-    return m_folded > 0 ? exit_status_folded : EXIT_SUCCESS;
+    return m_not_bijective > 0 ? exit_status_folded : EXIT_SUCCESS;
   }
 
 private:
-  // Leaves out what is done, if that is wanted.
+  // Skips meshes that are done, with --resume.
   void look_at_earlier_results()
   {
     if(!m_options.has("resume"))
       return;
     const auto is_done = [&](const File_names& names) {
       const Earlier_report report(names);
-      if(!report.tells_the_same_run(m_options))
+      if(!report.matches_run(m_options))
         return false;
-      ++m_left_out;
+      ++m_skipped;
       if(!report.is_one_to_one())
       {
-        ++m_folded;
-        print_error(printable(names.input) + ": the map of an earlier run is not one-to-one");
+        ++m_not_bijective;
+        print_error(printable(names.input) + ": the map of an earlier run is not bijective");
       }
       return true;
     };
     m_meshes.erase(std::remove_if(m_meshes.begin(), m_meshes.end(), is_done), m_meshes.end());
   }
 
-  // A mesh that is interrupted leaves nothing new: whatever is in the output folder has all the sweeps that the options ask
-  // for. What was there stays until it is replaced; but where a mesh fails, an outdated map would be taken for that of this run.
+  // An interrupted mesh writes nothing: every map in the output folder has all the sweeps that the options request. Existing files
+  // remain until they are replaced; but if a mesh fails, its outdated map is removed, as it could be mistaken for that of this run.
   void run(const File_names& names)
   {
     if(Interrupt_guard::is_interrupted())
       return;
     const Earlier_report earlier(names);
-    std::optional<Mesh_run> run; // none until it is known that all files may be replaced
+    std::optional<Mesh_run> run; // none until all files are known to be replaceable
     try
     {
       const std::filesystem::path folder = path_of(names.json).parent_path();
       std::error_code error;
       if(!std::filesystem::create_directories(folder, error) && error)
-        throw error_in(name_of(folder), "cannot be made: ", error.message());
+        throw error_in(name_of(folder), "cannot be created: ", error.message());
       run.emplace(m_options, names);
       run->read();
       run->map();
@@ -171,18 +171,18 @@ private:
       if(run->report().is_interrupted())
         return;
       run->write();
-      tell_map(run->report());
+      report_map(run->report());
     }
     catch(const std::exception& error)
     {
       if(run)
-        earlier.remove_what_is_outdated(m_options);
-      tell_failure(printable(names.input), message_of(error));
+        earlier.remove_outdated_files(m_options);
+      report_failure(printable(names.input), message_of(error));
     }
   }
 
-  // Several threads tell of their meshes; the lock keeps lines whole.
-  void tell_map(const Run_report& report)
+  // Called by several threads; the lock keeps lines intact.
+  void report_map(const Run_report& report)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_mapped;
@@ -192,7 +192,7 @@ private:
       print_error(with_name(printable(report.input()), line));
     if(report.result.is_one_to_one)
       return;
-    ++m_folded;
+    ++m_not_bijective;
     print_error(report.explain_fault());
   }
 
@@ -201,7 +201,7 @@ private:
     return text.compare(0, input.size() + 1, input + ':') == 0 ? text : input + ": " + text;
   }
 
-  void tell_failure(const std::string& input, const std::string& message)
+  void report_failure(const std::string& input, const std::string& message)
   {
     const std::string text = with_name(input, message);
     const std::size_t begin = (std::min)(input.size() + 2, text.size());
@@ -227,13 +227,13 @@ private:
     const std::size_t n_missed = m_meshes.size() - m_mapped - m_failed;
     if(n_missed > 0)
       print_error("interrupted: " + std::to_string(n_missed) + " of " + std::to_string(m_meshes.size()) +
-                  " meshes have not been mapped; --resume goes on with them");
+                  " meshes have not been mapped; --resume continues with them");
     if(m_options.has("quiet"))
       return;
     constexpr double minute = 60.;
     const double seconds = seconds_now() - m_start;
-    std::cout << "Mapped " << m_mapped << ", left out " << m_left_out << ", folded " << m_folded << ", failed "
-              << m_failed;
+    std::cout << "Mapped " << m_mapped << ", skipped " << m_skipped << ", not bijective " << m_not_bijective
+              << ", failed " << m_failed;
     if(n_missed > 0)
       std::cout << ", interrupted " << n_missed;
     std::cout << std::fixed << std::setprecision(1) << "; " << seconds << " seconds";
@@ -247,7 +247,7 @@ private:
   std::optional<Mapped_mesh> m_template;
   double m_start = seconds_now();
   std::mutex m_mutex;
-  std::size_t m_left_out = 0, m_mapped = 0, m_folded = 0, m_failed = 0;
+  std::size_t m_skipped = 0, m_mapped = 0, m_not_bijective = 0, m_failed = 0;
 };
 
 } // namespace

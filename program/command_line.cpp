@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Program {
 
@@ -15,23 +16,50 @@ namespace {
 
 constexpr const char* program = "spherical_parameterization";
 
-// What has another form now. Options that another command has need no line.
+// Options of earlier versions and their present form. Options that another command has need no line.
 const std::map<std::string, std::string> new_forms = {
-    {"--onto", "the command match now: match SURFACE TARGET"},
-    {"--onto-atlas", "the command register now: register SURFACE ATLAS --features A B"},
-    {"--remesh", "the command remesh now: remesh SURFACE DOMAIN=N"},
-    {"--resample", "the command resample now: resample VALUES SPHERE_A SPHERE_B -o RESULT"},
-    {"--through", "an option of resample now: resample SPHERE SPHERE_A SPHERE_B --through -o RESULT"},
-    {"--fill-holes", "part of --repair now: map SURFACE --repair"},
-    {"--components", "--repair now, which keeps the largest, or --each-component: map SURFACE --repair"},
-    {"--filled", "the command repair now: repair SURFACE -o RESULT"},
-    {"--s-first", "the first number of --schedule now: map SURFACE --schedule FIRST,LAST"},
-    {"--s-last", "the second number of --schedule now: map SURFACE --schedule FIRST,LAST"},
-    {"--average-sweeps", "the third number of --schedule now: map SURFACE --schedule FIRST,LAST,SWEEPS"}};
+    {"--onto", "replaced by the command match: match SURFACE TARGET"},
+    {"--onto-atlas", "replaced by the command register: register SURFACE ATLAS --features A B"},
+    {"--remesh", "replaced by the command remesh: remesh SURFACE DOMAIN=N"},
+    {"--resample", "replaced by the command resample: resample VALUES SPHERE_A SPHERE_B -o RESULT"},
+    {"--through", "an option of the command resample: resample SPHERE SPHERE_A SPHERE_B --through -o RESULT"},
+    {"--fill-holes", "replaced by --repair: map SURFACE --repair"},
+    {"--components",
+     "replaced by --repair, which keeps the largest component, or --each-component: map SURFACE --repair"},
+    {"--filled", "replaced by the command repair: repair SURFACE -o RESULT"},
+    {"--s-first", "replaced by the first number of --schedule: map SURFACE --schedule FIRST,LAST"},
+    {"--s-last", "replaced by the second number of --schedule: map SURFACE --schedule FIRST,LAST"},
+    {"--average-sweeps", "replaced by the third number of --schedule: map SURFACE --schedule FIRST,LAST,SWEEPS"}};
+
+using Terms = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char* introduction =
+    "Maps closed triangle meshes of genus 0 to the sphere, bijectively and with low distortion. Exact arithmetic "
+    "certifies each map.";
+
+constexpr const char* default_command =
+    "The default command is map, and batch with --output-folder. For the options of a command, see "
+    "'spherical_parameterization COMMAND --help'.";
+
+constexpr const char* files_and_signals =
+    "Files are .off, .obj, .ply, .stl and .ts meshes, or cortical surfaces in GIFTI (.gii, .gii.gz) and FreeSurfer "
+    "formats (such as lh.white). Ctrl-C stops the sweeps; the current map is written.";
+
+const Terms general_options = {{"-h, --help", "print this help"},
+                               {"--version", "print the version"},
+                               {"--completion bash", "print a completion script for bash"},
+                               {"--manual", "print the manual page, in the format of man"}};
+
+const Terms exit_statuses = {
+    {"0", "All requested files were written, and every map in them is certified bijective."},
+    {"1", "An error occurred and is reported. For batch: some meshes were not mapped."},
+    {"2",
+     "All files were written, but a map is not bijective. This is possible with --method conformal, --method arap, "
+     "resample --through, and a given SPHERE."}};
 
 [[noreturn]] void fail_of(const std::string& command, const std::string& what)
 {
-  throw Program_error(what, "\nAll options are explained by: ", program, ' ', command, " --help");
+  throw Program_error(what, "\nSee '", program, ' ', command, " --help'.");
 }
 
 bool has_option(const Command& command, const std::string& option)
@@ -41,7 +69,7 @@ bool has_option(const Command& command, const std::string& option)
                                            [&](const Command_option& other) { return "--" + other.name() == option; });
 }
 
-// Refuses an option that the command does not have, if it is known otherwise.
+// Reports an option that the command does not have, if it is an option of another command or of an earlier version.
 void check_option(const std::string& word, const Command& command)
 {
   const std::string option = word.substr(0, word.find('='));
@@ -59,53 +87,75 @@ void check_option(const std::string& word, const Command& command)
     if(has_option(other, option))
       others.push_back(other.name);
   if(!others.empty())
-    fail_of(command.name, option + " is no option of " + command.name + ", but of " + list_of(others, " and "));
+    fail_of(command.name, option + " is not an option of " + command.name + ", but of " + list_of(others, " and "));
+}
+
+// Appends words to a text whose last line has `column` characters; further lines are indented.
+void append_wrapped(std::string& text, const std::string& words, std::size_t column)
+{
+  constexpr std::size_t width = 100;
+  const std::string indent(column, ' ');
+  std::istringstream in(words);
+  std::size_t length = column;
+  for(std::string word; in >> word;)
+  {
+    if(length > column && length + 1 + word.size() > width)
+    {
+      text += '\n' + indent;
+      length = column;
+    }
+    text += (length > column ? " " : "") + word;
+    length += word.size() + (length > column ? 1 : 0);
+  }
+  text += '\n';
 }
 
 std::string help_of(const Command& command)
 {
-  constexpr std::size_t column = 27;
+  constexpr std::size_t column = 30;
   const std::string name = std::string(program) + ' ' + command.name + ' ';
-  std::string text =
-      "Example: " + name + command.example + "\nUsage: " + name + command.usage + "\n\n" + command.text + "\n\n";
+  std::string text = "Usage: " + name + command.usage + "\n\n", heading;
+  append_wrapped(text, command.text, 0);
   for(const Command_option& option : options_of(command.name))
   {
+    if(const std::string group = option.group.empty() ? "Options" : option.group; group != heading)
+      text += '\n' + (heading = group) + ":\n";
     const std::string names = option.names.substr(0, option.names.find(',')); // `-o` of `-o,--output`
     std::string line = "  " + names + (option.values.empty() ? "" : " " + option.values);
     line.resize((std::max)(line.size() + 1, column), ' ');
-    text += line + option.help + '\n';
+    text += line;
+    append_wrapped(text, option.help, column);
   }
-  return text;
+  return text + "\nExample: " + name + command.example + '\n';
+}
+
+// Adds lines with a term and its explanation.
+void append_terms(std::string& text, const Terms& terms, std::size_t column)
+{
+  for(const auto& [term, explanation] : terms)
+  {
+    std::string line = "  " + term;
+    line.resize((std::max)(line.size() + 1, column), ' ');
+    append_wrapped(text += line, explanation, column);
+  }
 }
 
 std::string help()
 {
-  constexpr std::size_t column = 12;
-  std::string text =
-      "Example: " + std::string(program) + " cow.off -o sphere.off\n\n" +
-      "Maps a closed triangle mesh of genus 0 to a sphere, one-to-one and with low distortion, certified by\n"
-      "exact arithmetic; and what can be done with such maps. The first word is a command:\n\n";
+  std::string text = "Usage: " + std::string(program) + " COMMAND [ARGUMENT...] [OPTION...]\n\n";
+  append_wrapped(text, introduction, 0);
+  text += "\nCommands:\n";
+  Terms summaries;
   for(const Command& command : commands)
-  {
-    std::string line = "  " + command.name + ' ';
-    line.resize((std::max)(line.size(), column), ' ');
-    text += line + command.summary + '\n';
-  }
-  return text + "\nWithout one, map is meant, and with --output-folder, batch. " + program + "\n" +
-         R"(COMMAND --help explains its options. Files are .off, .obj, .ply, .stl, .ts, or surfaces in the
-formats GIFTI (.gii, .gii.gz) and of FreeSurfer, such as lh.white. Ctrl-C ends the sweeps; the map
-reached is written.
-
-  -h, --help          print this
-  --version           print the version
-  --completion bash   print what completes commands and options in this shell
-  --manual            print the manual page, for man
-
-Exit status: 0, all that was asked for was written, and every map in it is certified as one-to-one;
-1, an error, with a message; 2, a map has inverted faces, which --method conformal and arap, and
-resample --through, do not exclude, but all files were written. With batch: 1, some meshes have no map;
-2, all have one, but some have inverted faces.
-)";
+    summaries.emplace_back(command.name, command.summary);
+  append_terms(text, summaries, 12);
+  append_wrapped(text += '\n', default_command, 0);
+  text += "\nOptions:\n";
+  append_terms(text, general_options, 22);
+  append_wrapped(text += '\n', files_and_signals, 0);
+  text += "\nExit status:\n";
+  append_terms(text, exit_statuses, 6);
+  return text + "\nExample: " + program + " cow.off -o sphere.off\n";
 }
 
 std::string completion()
@@ -119,8 +169,8 @@ std::string completion()
       cases += " --" + option.name();
     cases += "\" ;;\n";
   }
-  return std::string("# Completes commands and options of ") + program + " in bash, and names of files elsewhere.\n_" +
-         program + "()\n{\n  local word=${COMP_WORDS[COMP_CWORD]} words=\n  case ${COMP_WORDS[1]} in\n" + cases +
+  return std::string("# Completion of commands, options and file names of ") + program + " for bash.\n_" + program +
+         "()\n{\n  local word=${COMP_WORDS[COMP_CWORD]} words=\n  case ${COMP_WORDS[1]} in\n" + cases +
          "    *) words=\"--help --version --completion --manual\" ;;\n  esac\n  [ \"$COMP_CWORD\" -gt 1 ] || "
          "words+=\" " +
          names +
@@ -130,7 +180,7 @@ std::string completion()
          program + ' ' + program + '\n';
 }
 
-// What is to be read literally by man.
+// Escapes text for the format of man.
 std::string escaped(const std::string& text)
 {
   std::string result;
@@ -148,13 +198,23 @@ std::string manual()
 {
   const std::string name = program;
   std::string synopsis, details;
+  const auto terms = [](const Terms& all) {
+    std::string text;
+    for(const auto& [term, explanation] : all)
+      text += ".TP\n.B " + escaped(term) + '\n' + escaped(explanation) + '\n';
+    return text;
+  };
   for(const Command& command : commands)
   {
     synopsis += ".B " + escaped(name + ' ' + command.name) + '\n' + escaped(command.usage) + "\n.br\n";
     details += ".SS " + command.name + '\n' + escaped(command.text) + "\n.PP\nExample:\n.B " +
                escaped(name + ' ' + command.name + ' ' + command.example) + '\n';
+    std::string group;
     for(const Command_option& option : options_of(command.name))
     {
+      if(option.group != group)
+        details += ".PP\n.I " + escaped(option.group) + '\n';
+      group = option.group;
       std::string names = option.names;
       if(const std::size_t comma = names.find(','); comma != std::string::npos)
         names.insert(comma + 1, " ");
@@ -164,11 +224,13 @@ std::string manual()
   }
   return ".TH " + name + " 1 \"\" \"" + escaped(program_version().substr(0, program_version().find(','))) +
          "\" \"User Commands\"\n.SH NAME\n" + escaped(name) +
-         " \\- map surfaces to the sphere and onto each other, one\\-to\\-one\n.SH SYNOPSIS\n" + synopsis +
-         ".SH DESCRIPTION\n.nf\n" + escaped(help()) + ".fi\n.SH COMMANDS\n" + details;
+         " \\- bijective maps of surfaces to the sphere and onto each other\n.SH SYNOPSIS\n" + synopsis +
+         ".SH DESCRIPTION\n" + escaped(introduction) + "\n.PP\n" + escaped(default_command) + "\n.PP\n" +
+         escaped(files_and_signals) + "\n.SH OPTIONS\n" + terms(general_options) + ".SH COMMANDS\n" + details +
+         ".SH EXIT STATUS\n" + terms(exit_statuses);
 }
 
-// Parses the words behind a command.
+// Parses the words after a command.
 Command_line parse(const Command& command, Words words)
 {
   for(const std::string& word : words)
@@ -176,8 +238,8 @@ Command_line parse(const Command& command, Words words)
   CLI::App app;
   Command_line line;
   line.command = command.name;
-  app.allow_windows_style_options(false); // nor is /home/mesh.off one
-  app.set_help_flag("-h,--help", "explain this command");
+  app.allow_windows_style_options(false); // /home/mesh.off is a file name
+  app.set_help_flag("-h,--help", "print this help");
   app.add_option("names", line.names)->expected(0, -1);
   for(const Command_option& option : options_of(command.name))
     if(option.values.empty())
@@ -187,7 +249,7 @@ Command_line parse(const Command& command, Words words)
       const int n = 1 + static_cast<int>(std::count(option.values.begin(), option.values.end(), ' '));
       app.add_option(option.names, line.options[option.name()], option.help)
           ->expected(n)
-          ->allow_extra_args(false); // what follows are names
+          ->allow_extra_args(false); // the words after these are file names
     }
   for(const auto& [option, other] : needed_options)
     if(has_option(command, option))
@@ -219,7 +281,7 @@ std::string program_version()
 #ifdef SPHERICAL_PARAMETERIZATION_VERSION
   constexpr const char* version = SPHERICAL_PARAMETERIZATION_VERSION;
 #else
-  constexpr const char* version = "of CGAL"; // within which the package has no version of its own
+  constexpr const char* version = "of CGAL"; // as a part of CGAL, the package has no version of its own
 #endif
   return std::string(program) + ' ' + version + ", results " +
          (SP::is_reproducible() ? SP::results_version : "of this build alone") + ", built with CGAL " +
@@ -233,7 +295,7 @@ void Command_line::fail(const std::string& what) const
 
 void Command_line::refuse(const std::string& option, const std::string& valid) const
 {
-  fail("--" + option + " has to be " + valid + ", not '" + printable(text(option)) + "'");
+  fail("--" + option + " must be " + valid + ", not '" + printable(text(option)) + "'");
 }
 
 std::string Command_line::word(const std::string& option, const Words& words, const std::string& usual) const
@@ -255,7 +317,7 @@ double Command_line::number(const std::string& option, double min, double max, c
 unsigned int Command_line::count(const std::string& option, unsigned int min, unsigned int usual,
                                  const std::string& other_words) const
 {
-  const std::string range = "a whole number from " + std::to_string(min) + " to 1e9" + other_words;
+  const std::string range = "an integer from " + std::to_string(min) + " to 1e9" + other_words;
   const double x = number(option, min, 1e9, range, usual);
   if(x != std::floor(x))
     refuse(option, range);
@@ -286,16 +348,16 @@ Command_line parse_command_line(Words words)
   }
   const Command_line line = parse(*command, words);
   if(line.printed.empty() && line.names.empty())
-    line.fail("there is no name of a file; " + command->name + " takes " + command->usage);
+    line.fail("no file name is given; usage: " + command->name + ' ' + command->usage);
   if(line.printed.empty() && line.names.size() < command->min_names)
-    line.fail(command->name + " needs " + command->usage);
+    line.fail("too few file names; usage: " + command->name + ' ' + command->usage);
   if(line.names.size() > command->max_names)
-    line.fail(
-        line.is("map")
-            ? "'" + printable(line.names.front()) +
-                  "' is no command, and map takes one SURFACE; a name with blanks has to be quoted, and many meshes "
-                  "need --output-folder"
-            : command->name + " takes " + command->usage + "; a name with blanks has to be quoted");
+    line.fail(line.is("map")
+                  ? "'" + printable(line.names.front()) +
+                        "' is not a command, and map takes one SURFACE; quote file names that contain blanks, and use "
+                        "--output-folder for many meshes"
+                  : "too many file names; quote those that contain blanks; usage: " + command->name + ' ' +
+                        command->usage);
   return line;
 }
 

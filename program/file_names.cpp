@@ -100,10 +100,10 @@ File_names File_names::of_part(std::size_t part) const
   return result;
 }
 
-std::filesystem::path place_of(std::filesystem::path path, std::error_code& error)
+std::filesystem::path resolved(std::filesystem::path path, std::error_code& error)
 {
   namespace fs = std::filesystem;
-  constexpr int max_links = 40; // as the system does
+  constexpr int max_links = 40; // the limit of the system
   for(int k = 0; k < max_links && fs::is_symlink(fs::symlink_status(path, error)); ++k)
     path = path.parent_path() / fs::read_symlink(path, error);
   error.clear();
@@ -126,7 +126,7 @@ Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin
     if(by_name.empty())
       by_name = name.find(left) != name.npos ? "left" : name.find(right) != name.npos ? "right" : "";
   if(!by_metadata.empty() && !by_name.empty() && by_metadata != by_name)
-    return {{path + " by its metadata", by_metadata}, {path + " by its name", by_name}};
+    return {{path + " (metadata)", by_metadata}, {path + " (name)", by_name}};
   return {{path, by_metadata.empty() ? by_name : by_metadata}};
 }
 
@@ -149,8 +149,8 @@ std::string mixed_hemispheres(const Hemispheres& files)
       if(first == nullptr)
         first = &file;
       else if(first->second != file.second)
-        return printable(first->first) + " is of the " + first->second + " hemisphere, but " + printable(file.first) +
-               " of the " + file.second + " one\n";
+        return printable(first->first) + " belongs to the " + first->second + " hemisphere, but " +
+               printable(file.first) + " to the " + file.second + " one\n";
     }
   return "";
 }

@@ -13,87 +13,86 @@
 
 namespace Program {
 
-/// The formats that are read and told by the end of the name. Those of cortical surfaces are told by what is in the file.
+/// Input formats that are recognized by the file name extension. Formats of cortical surfaces are recognized by the content.
 inline const Words input_formats = {".off", ".obj", ".ply", ".stl", ".ts"};
 
-/// The formats that are written and told by the end of the name. An STL file is not among them: it repeats the vertices and
-/// forgets their order.
+/// Output formats that are recognized by the file name extension. STL is not one of them: it repeats vertices and loses their order.
 inline const Words output_formats = {".off", ".obj", ".ply", ".ts", ".gii", ".gii.gz"};
 
-/// What a surface can be compared by without a file: how it is folded.
+/// Features that are computed from a surface: measures of its sulci and gyri.
 inline const Words own_feature_names = {"depth", "height", "curvature", "inflated"};
 
-/// The format of FreeSurfer, whose files are called `lh.sphere`, say.
+/// The format of FreeSurfer, for files such as `lh.sphere`.
 inline const std::string freesurfer_format = "freesurfer";
 
-/// returns whether a format is GIFTI, perhaps packed by gzip.
+/// returns whether a format is GIFTI, optionally compressed by gzip.
 bool is_gifti(const std::string& format);
 
-/// returns whether a format is one of cortical surfaces; the numbers of these have 32 bits.
+/// returns whether a format is one of cortical surfaces, which store single precision coordinates.
 bool is_cortical(const std::string& format);
 
-/// What the names of meshes that are read, and written, have to be like.
+/// Descriptions of valid names of input and output meshes, for messages.
 inline const std::string input_names =
-    ".off, .obj, .ply, .stl, .ts, .gii or .gii.gz, or the file has to be a surface of FreeSurfer";
+    ".off, .obj, .ply, .stl, .ts, .gii or .gii.gz, or the file must be a FreeSurfer surface";
 inline const std::string output_names =
     ".off, .obj, .ply, .ts, .gii or .gii.gz, or begins with lh. or rh. for the format of FreeSurfer";
 
-/// returns the end of a file's name in lower case, with the dot, and with `.gii` before `.gz`.
+/// returns the file name extension in lower case, with the dot, and with `.gii` before `.gz`.
 std::string file_format(const std::string& path);
 
-/// returns `CortexLeft` or `CortexRight` for a file whose name begins with what FreeSurfer calls the half of the brain, as GIFTI has
-/// it; empty for others.
+/// returns the hemisphere in the notation of GIFTI, `CortexLeft` or `CortexRight`, for a file name that begins with `lh.` or `rh.`; empty for
+/// others.
 std::string structure_of(const std::string& path);
 
-/// returns the format that a mesh with this name is written in; empty if the name does not tell.
+/// returns the format of a mesh that is written to this file; empty if it does not follow from the name.
 std::string output_format(const std::string& path);
 
-/// returns the format that values of vertices with this name are written in, or labels; empty if it does not follow from the name.
+/// returns the format of vertex values or labels that are written to this file; empty if it does not follow from the name.
 std::string format_of_values(const std::string& path);
 
-/// returns the end of a name that tells what is in the file: the extension; that and `.surf`, say, of a GIFTI file; nothing of a file
-/// of FreeSurfer.
+/// returns the part of the name that describes the content: the extension; for GIFTI files with a part such as `.surf` before it; empty
+/// for FreeSurfer files.
 std::string ending_of(const std::string& path);
 
-/// returns the name with something put before its end.
+/// returns the name with a suffix inserted before its ending.
 std::string with_suffix(const std::string& path, const std::string& suffix);
 
 /// The names of all files of a mesh.
 struct File_names
 {
   std::string input;
-  std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not wanted
+  std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not requested
   std::string onto, target_sphere, overlay, morph,
-      expected_errors; ///< of a map onto another surface, empty if not wanted
-  std::string colored; ///< what the names of the coloured meshes begin with, empty if they are not wanted
+      expected_errors; ///< of a map onto another surface, empty if not requested
+  std::string colored; ///< prefix of the names of the colored meshes; empty if not requested
 
-  /// returns the names of all files that are written, in the order in which they appear, with those that are made of others.
+  /// returns the names of all output files, in the order in which they appear, including derived names.
   Words outputs() const;
 
   std::string image_of_normals() const;
   std::string colored_surface() const { return colored.empty() ? "" : colored + "_surface.ply"; }
   std::string colored_sphere() const { return colored.empty() ? "" : colored + "_sphere.ply"; }
 
-  /// returns the names for a part of a surface: all that are written get its number, from 1 on.
+  /// returns the names for a part of a surface: its number, from 1, is inserted in the names of output files.
   File_names of_part(std::size_t part) const;
 };
 
-/// returns the absolute path behind dots and links, those that lead to nothing yet included, which `weakly_canonical()` takes as
-/// they are; and so it does with paths that are not absolute, if they begin with what is not there.
-std::filesystem::path place_of(std::filesystem::path path, std::error_code& error);
+/// returns the absolute path with dots and links resolved. Unlike `weakly_canonical()`, it also resolves dangling links, and relative
+/// paths that begin with a missing component.
+std::filesystem::path resolved(std::filesystem::path path, std::error_code& error);
 
-/// The names of files, each with the half of the brain that it is of: `left`, `right`, or nothing if that is not known.
+/// File names, each with its hemisphere: `left`, `right`, or empty if unknown.
 using Hemispheres = std::vector<std::pair<std::string, std::string>>;
 
-/// returns which half of the brain a file is of, as its metadata say, or else its name as FreeSurfer, BIDS or the Human Connectome
-/// Project has it; or as both say, if they disagree.
+/// returns the hemisphere of a file according to its metadata or, without those, to its name by the conventions of FreeSurfer, BIDS or
+/// the Human Connectome Project; both, if they disagree.
 Hemispheres hemispheres_of(const std::string& path, const SP::IO::Surface_origin& origin);
 
-/// says in the metadata of a surface which half of the brain it is, if its name says so and the metadata do not: programs for cortical
-/// surfaces ask for that.
+/// adds the hemisphere to the metadata of a surface if it follows from the name and is missing: programs for cortical surfaces
+/// require it.
 void add_structure(SP::IO::Metadata& metadata, const std::string& path);
 
-/// returns what is to be said of files that are used together, if they are of different halves of the brain: a line; empty otherwise.
+/// returns a warning, one line, if files that are used together belong to different hemispheres; empty otherwise.
 std::string mixed_hemispheres(const Hemispheres& files);
 
 } // namespace Program

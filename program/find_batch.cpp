@@ -13,24 +13,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the path behind links and dots, as far as it can be found.
-fs::path true_place(const fs::path& path)
+// Returns the path with links and dots resolved, as far as possible.
+fs::path resolved_path(const fs::path& path)
 {
   std::error_code error;
-  const fs::path result = place_of(path, error);
+  const fs::path result = resolved(path, error);
   return error ? path : result;
 }
 
-// Does so but for a link that the name itself may be.
-fs::path canonical_place(const fs::path& path)
+// Resolves only the folder, not a link at the end of the path.
+fs::path path_in_resolved_folder(const fs::path& path)
 {
   std::error_code error;
-  const fs::path result = place_of(fs::absolute(path).parent_path(), error) / path.filename();
+  const fs::path result = resolved(fs::absolute(path).parent_path(), error) / path.filename();
   return error ? path : result;
 }
 
-// Returns what is in a folder, sorted. Hidden files are no meshes, whatever their names end with: some systems keep notes on
-// each file in one.
+// Returns the sorted entries of a folder without hidden files, in which some systems store metadata of each file.
 std::vector<fs::path> entries_of(const fs::path& folder)
 {
   std::vector<fs::path> paths;
@@ -44,8 +43,8 @@ std::vector<fs::path> entries_of(const fs::path& folder)
   return paths;
 }
 
-// Returns the mesh files of a folder. Those of FreeSurfer have to be named, as there are several surfaces of the same brain in a
-// folder, and their names do not distinguish them from other files.
+// Returns the mesh files of a folder. FreeSurfer surfaces are not included: a folder has several surfaces of the same brain, and
+// their names do not distinguish them from other files.
 std::vector<fs::path> meshes_of_folder(const fs::path& folder)
 {
   std::vector<fs::path> paths = entries_of(folder);
@@ -56,12 +55,12 @@ std::vector<fs::path> meshes_of_folder(const fs::path& folder)
   };
   paths.erase(std::remove_if(paths.begin(), paths.end(), is_no_mesh), paths.end());
   if(paths.empty())
-    throw error_in(name_of(folder), "there is no mesh file in this folder, whose name ends with one of ",
-                   list_of(input_formats), ", .surf.gii; --surfaces names those of folders below it");
+    throw error_in(name_of(folder), "this folder contains no file whose name ends with one of ", list_of(input_formats),
+                   ", .surf.gii");
   return paths;
 }
 
-// Returns the names of the files of the mesh `path` in a batch, whose results are called as `result` in the output folder.
+// Returns the file names of the mesh `path` in a batch; its results are named like `result_path` in the output folder.
 File_names names_in_batch(const fs::path& path, const fs::path& result_path, const Options& options)
 {
   const std::string input = name_of(path), ending = ending_of(input);
@@ -86,38 +85,38 @@ std::vector<File_names> find_batch(const Options& options)
   std::vector<File_names> meshes;
   for(const std::string& input : options.inputs)
   {
-    if(!fs::exists(path_of(input), error)) // in a folder, such a link is a mesh that fails
-      throw error_in(input, error ? error.message() : "there is no such file");
+    if(!fs::exists(path_of(input), error)) // a dangling link in a folder is a mesh that fails
+      throw error_in(input, error ? error.message() : "no such file");
     if(!fs::is_directory(path_of(input), error))
     {
       if(!is_among(file_format(input), input_formats) && kind_of_file(input) == Surface_file_kind::none)
-        throw error_in(input, "the name of a mesh file has to end with one of ", input_names);
+        throw error_in(input, "the name of a mesh file must end with one of ", input_names);
       meshes.push_back(names_in_batch(path_of(input), path_of(input).filename(), options));
       continue;
     }
-    if(true_place(path_of(input)) == true_place(path_of(options.text("output-folder"))))
+    if(resolved_path(path_of(input)) == resolved_path(path_of(options.text("output-folder"))))
       throw error_in(options.text("output-folder"),
-                     "the results would be among the meshes; choose another --output-folder");
+                     "the results would be written among the meshes; choose another --output-folder");
     for(const fs::path& path : meshes_of_folder(path_of(input)))
       meshes.push_back(names_in_batch(path, path.filename(), options));
   }
 
   std::set<fs::path> inputs;
   for(const File_names& names : meshes)
-    inputs.insert({true_place(path_of(names.input)), canonical_place(path_of(names.input))});
+    inputs.insert({resolved_path(path_of(names.input)), path_in_resolved_folder(path_of(names.input))});
   if(const std::string& name = options.start_or_template(); !name.empty())
-    inputs.insert({true_place(path_of(name)), canonical_place(path_of(name))});
+    inputs.insert({resolved_path(path_of(name)), path_in_resolved_folder(path_of(name))});
   std::map<fs::path, std::string> input_of;
   for(const File_names& names : meshes)
     for(const std::string& name : {names.json, names.sphere})
     {
-      const fs::path path = canonical_place(path_of(name)); // a link is replaced itself
+      const fs::path path = path_in_resolved_folder(path_of(name)); // a link itself is replaced
       if(inputs.count(path) > 0)
         throw error_in(name, "would replace an input; choose another --output-folder");
       const auto [entry, is_new] = input_of.emplace(path, names.input);
       if(!is_new)
       {
-        if(true_place(path_of(entry->second)) == true_place(path_of(names.input)))
+        if(resolved_path(path_of(entry->second)) == resolved_path(path_of(names.input)))
           throw error_in(names.input, "is given twice");
         throw error_in(name, "would be written for both ", printable(entry->second), " and ", printable(names.input),
                        "; rename one of them, or map them to different folders");
@@ -126,7 +125,7 @@ std::vector<File_names> find_batch(const Options& options)
 
   fs::create_directories(path_of(options.text("output-folder")), error);
   if(error)
-    throw error_in(options.text("output-folder"), "cannot be made: ", error.message());
+    throw error_in(options.text("output-folder"), "cannot be created: ", error.message());
   const fs::path trial = path_of(options.text("output-folder")) / ".spherical_parameterization";
   const Output_files check({name_of(trial)}, {}, Output_policy::replace);
   std::set<fs::path> folders = {path_of(options.text("output-folder"))};

@@ -5,8 +5,8 @@
 
 namespace Program {
 
-/// finds the files of all meshes of a batch, in the order of the inputs, checks that none of them would replace an input or
-/// another output, and makes the output folder.
+/// finds the files of all meshes of a batch, in the order of the inputs, checks that no output would replace an input or another
+/// output, and creates the output folder.
 std::vector<File_names> find_batch(const Options& options);
 
 } // namespace Program

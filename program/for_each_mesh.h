@@ -22,13 +22,13 @@
 
 namespace Program {
 
-/// As long as an object of this class lives, no more threads than given are used, nor more than can be had: where a process
-/// may not have them all, the thread pool would end it. With one thread, none is made, unless the object ends.
+/// Limits the number of threads during its lifetime, to the given number and to the number of threads that the process can create: the
+/// thread pool would end the process if it could not create them. With a limit of one, no thread is created, unless the object ends.
 class Thread_limit
 {
 public:
 #ifdef CGAL_LINKED_WITH_TBB
-  /// sets the limit; 0 stands for none.
+  /// sets the limit; 0: no limit.
   explicit Thread_limit(std::size_t max_threads)
   {
     const std::size_t n_wanted = max_threads > 0 ? (std::min)(max_threads, number_of_threads()) : number_of_threads();
@@ -39,7 +39,7 @@ public:
       m_control.emplace(tbb::global_control::max_allowed_parallelism, max_threads);
   }
 
-  /// returns how many threads a loop may have now: one for each core that the program may use, or the limit.
+  /// returns the number of threads that a loop may use: one for each core available to the program, or the limit.
   static std::size_t number_of_threads()
   {
     return (std::min)(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  // returns how many threads can be had at once, at most `max`
+  // returns the number of threads that can be created at once, at most `max`
   static std::size_t number_of_other_threads(std::size_t max)
   {
     std::promise<void> end;
@@ -69,20 +69,19 @@ private:
 
   std::optional<tbb::global_control> m_control;
 #else
-  explicit Thread_limit(std::size_t) {} // there is one thread only
+  explicit Thread_limit(std::size_t) {} // there is only one thread
 #endif
 };
 
-/// The size of a file from which on a mesh is large: 150 to 400 thousand vertices, depending on the format. Smaller
-/// ones take less than half a gigabyte each, which every computer has for each of its cores.
+/// The minimum file size of a large mesh: 150 to 400 thousand vertices, depending on the format. Smaller meshes need less than half
+/// a gigabyte each, which is available for each core.
 constexpr std::uintmax_t large = std::uintmax_t(16) << 20;
 
-/// Calls `run(i)` once for each index of `sizes`, the sizes of the files. It must not throw.
+/// calls `run(i)` once for each index of `sizes`, the file sizes. `run` must not throw.
 ///
-/// A mesh on each core makes the most of them, whatever its size: none waits for another, and what a single mesh cannot
-/// spread, such as reading, is done side by side as well. But it takes the memory for so many meshes at once, so large
-/// meshes are run one after the other, on all cores. They come first, as the smallest ones that come last fill up all
-/// cores to the end.
+/// Small meshes run in parallel, one per core. This is fastest, because sequential parts of a run, such as reading, also run in parallel.
+/// It needs the memory of as many meshes at once, so large meshes run one after the other, each on all cores. Meshes run in the order
+/// of decreasing size, because small meshes at the end keep all cores busy.
 template <class Run>
 void for_each_mesh(const std::vector<std::uintmax_t>& sizes, const Run& run)
 {
@@ -100,7 +99,7 @@ void for_each_mesh(const std::vector<std::uintmax_t>& sizes, const Run& run)
     for(std::size_t i = next++; i < n; i = next++)
       if(n - i > n_runners)
         one_thread.execute([&] { run(order[i]); });
-      else // there is none left for the next thread that is done, which helps with this one
+      else // no mesh is left for the next idle thread, which helps with this one
         run(order[i]);
   };
   tbb::parallel_for(std::size_t(0), n_runners, run_all, tbb::simple_partitioner());

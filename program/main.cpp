@@ -1,4 +1,4 @@
-// The package as a program: maps surfaces to spheres, and what can be done with such maps. Each command is explained by its --help.
+// The command line program of the package. --help describes the commands.
 
 #include "Options.h"
 #include "for_each_mesh.h"
@@ -14,12 +14,13 @@ namespace {
 void limit_threads([[maybe_unused]] const Options& options)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  // As many threads as are asked for would have memory of their own each.
+  // Each requested thread would allocate its own memory.
   const std::size_t n_wanted = options.max_threads, n_cores = Thread_limit::number_of_threads();
-  // It is never deleted: TBB makes a thread as a limit ends.
+  // Never deleted: TBB creates a thread when a limit ends.
   [[maybe_unused]] static const Thread_limit* const threads = new Thread_limit((std::min)(n_wanted, n_cores));
   if(const std::size_t n = Thread_limit::number_of_threads(); n_wanted > n && !options.has("quiet"))
-    std::cerr << "spherical_parameterization: --threads " << n_wanted << ": no more than " << n << " can be had here\n";
+    std::cerr << "spherical_parameterization: --threads " << n_wanted << ": only " << n
+              << (n == 1 ? " thread is" : " threads are") << " available\n";
 #endif
 }
 
@@ -48,7 +49,7 @@ int main(int argc, char** argv)
   {
     const int status = run_program(parse_command_line(words));
     if(!std::cout.flush())
-      throw Program_error("the standard output cannot be written");
+      throw Program_error("cannot write to the standard output");
     return status;
   }
   catch(const std::exception& error)

@@ -10,7 +10,7 @@ namespace Program {
 
 namespace {
 
-// Prints what has been done with a surface that was not mapped.
+// Prints the report of a surface that is not mapped.
 int report_surface(const Mesh_run& mesh, const Options& options)
 {
   if(options.has("quiet"))
@@ -25,7 +25,7 @@ int report_surface(const Mesh_run& mesh, const Options& options)
 
 // Maps a surface, or a part of it, and returns the exit status.
 //
-// \param read gives the run its surface
+// \param read passes the surface to the run
 int run(const Options& options, const File_names& names, const std::function<void(Mesh_run&)>& read)
 {
   Mesh_run mesh(options, names);
@@ -62,19 +62,20 @@ int run(const Options& options, const File_names& names, const std::function<voi
   std::cerr << report.warnings();
   if(!report.result.is_one_to_one)
     std::cerr << "spherical_parameterization: " << report.explain_fault() << '\n';
-  if(!std::cout.flush() && !report.files.empty()) // a map may have taken hours: it is not lost with its report
-    throw Program_error("the standard output cannot be written. All files have been written nevertheless.");
+  if(!std::cout.flush() &&
+     !report.files.empty()) // a map may have taken hours: the error of the report must not look like its loss
+    throw Program_error("cannot write to the standard output. All files have been written.");
   return report.result.is_one_to_one ? EXIT_SUCCESS : exit_status_folded;
 }
 
-// Maps each component of a surface, which has no vertices but its own; what fails with one of them does not stop the others. Returns
-// the exit status.
+// Maps each component of a surface, with its own vertices only. A component that fails does not stop the others. Returns the exit
+// status.
 int run_components(const Options& options)
 {
   const File_content whole = read_file_content(options.file_names.input);
   std::vector<std::vector<std::size_t>> components = components_of(whole, options.repair.has_value());
   if(components.empty())
-    components.emplace_back(); // of which reading says what is wrong
+    components.emplace_back(); // reading it reports the defect
   Run_report::Component component(components);
   const std::size_t n = components.size();
   int status = EXIT_SUCCESS;
@@ -94,8 +95,7 @@ int run_components(const Options& options)
     catch(const std::exception& error)
     {
       std::cerr << "spherical_parameterization: component " << k + 1 << " of " << n << ": " << message_of(error)
-                << (n > 1 ? "\nThe vertices and faces of a component have numbers of their own, in the order of the "
-                            "file.\n"
+                << (n > 1 ? "\nVertices and faces are numbered within the component, in the order of the file.\n"
                           : "\n");
       status = EXIT_FAILURE;
     }

@@ -22,15 +22,15 @@ std::string beginning_of_temporary_names()
   return ".spherical_parameterization." + name_of_computer() + '.';
 }
 
-// The names of files that are not complete yet are hidden, and tell which process writes them: so those that a process has left
-// which was killed are known.
+// The name of an incomplete file is hidden and contains the number of the writing process, so that files of killed processes are
+// recognized.
 std::string temporary_name()
 {
   return beginning_of_temporary_names() + std::to_string(number_of_process()) + '.' +
          std::to_string(std::random_device()());
 }
 
-// Writes to a file, which has a buffer of its own, and adds up the checksum.
+// Writes to a file, which has its own buffer, and updates the checksum.
 class Summing_buffer : public std::streambuf
 {
 public:
@@ -83,11 +83,11 @@ void sweep_temporary_files(const std::filesystem::path& folder)
   }
 }
 
-// A file that appears complete or not at all: it is written under another name in the same folder, and renamed in the end.
+// A file that appears complete or not at all: it is written under a temporary name in the same folder, and finally renamed.
 class Output_files::File
 {
 public:
-  // checks that the file can be written, and leaves no trace of the check.
+  // checks that the file can be written, without a lasting effect.
   File(const std::string& name_as_given, Output_policy policy)
     : name(name_as_given)
     , path(path_of(name_as_given))
@@ -99,18 +99,18 @@ public:
       fail("it is a directory");
     if(fs::exists(status) && !fs::is_symlink(status))
     {
-      // Renaming would replace a write-protected file as well, against the will of its owner.
+      // Renaming would replace even a write-protected file.
       check(is_writable(path));
       m_is_direct = !fs::is_regular_file(status);
       if(m_is_direct && !follows)
-        fail("it is a pipe or a device, not a file; remove it, or choose another folder");
+        fail("it is a pipe or a device, not a regular file; remove it, or choose another folder");
       if(m_is_direct)
         return;
       m_permissions = status.permissions() & fs::perms::all;
     }
     if(follows)
     {
-      path = place_of(path, m_error);
+      path = resolved(path, m_error);
       check_error();
       sweep_temporary_files(fs::absolute(path).parent_path());
     }
@@ -129,8 +129,8 @@ public:
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  // Makes the other file, which must not be there, not even as a link, or opens the pipe. A file that is replaced hands down who
-  // may read it before there is anything to read.
+  // Creates the temporary file, which must not exist, not even as a link, or opens the pipe. The file gets the permissions of the
+  // replaced file before it has any content.
   void write(const std::function<void(std::ostream&)>& write_to)
   {
     errno = 0;
@@ -159,9 +159,9 @@ public:
 
   bool is_direct() const { return m_is_direct; }
 
-  std::string name;                 // as it was given
-  std::filesystem::path path;       // of the file itself, behind links if these are followed
-  std::optional<Checksum> checksum; // of what has been written
+  std::string name;                 // as given
+  std::filesystem::path path;       // of the file itself; links are resolved if they are followed
+  std::optional<Checksum> checksum; // of the written content
 
 private:
   [[noreturn]] void fail(const std::string& reason) const { throw error_in(name, "cannot be written: ", reason); }
@@ -172,7 +172,7 @@ private:
       fail(m_error.message());
   }
 
-  // Fails with what the system says, unless what was called has succeeded.
+  // Reports the error of the system unless the last call has succeeded.
   void check(bool has_succeeded) const
   {
     if(!has_succeeded)
@@ -180,7 +180,7 @@ private:
   }
 
   std::filesystem::path m_temporary_path;
-  bool m_is_direct = false; // written under its own name, at once
+  bool m_is_direct = false; // written directly under its own name
   std::optional<std::filesystem::perms> m_permissions;
   std::error_code m_error;
 };
@@ -196,7 +196,7 @@ Output_files::Output_files(const Words& names, const Words& inputs, Output_polic
     const std::filesystem::path& path = (*file)->path;
     for(const std::string& input : inputs)
       if(!std::filesystem::is_symlink(path, ignored) && std::filesystem::equivalent(path, path_of(input), ignored))
-        throw error_in((*file)->name, "would replace the input; choose another name");
+        throw error_in((*file)->name, "would replace an input; choose another name");
     if(std::any_of(m_files.begin(), file, [&](const auto& other) { return other->path == path; }))
       throw error_in((*file)->name, "would be written twice; choose another name");
   }

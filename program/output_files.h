@@ -15,7 +15,7 @@
 
 namespace Program {
 
-/// What tells whether a file is as it was written, unless somebody wants to deceive.
+/// Detects accidental changes of a file.
 struct Checksum
 {
   std::uintmax_t bytes = 0;
@@ -28,35 +28,35 @@ struct Checksum
   }
 };
 
-/// Where a name leads to that is taken by a link, or by something else that is no ordinary file, such as a pipe.
+/// The treatment of an output name that is a link, or not a regular file, such as a pipe.
 enum class Output_policy
 {
-  follow, ///< to the target of the link, which is replaced, or into the pipe: the user has named it
-  replace ///< nowhere: the link itself is replaced, a pipe is an error; the folder may be somebody else's
+  follow, ///< replaces the target of the link, or writes into the pipe: the user has named it
+  replace ///< replaces the link itself; a pipe is an error: the folder may belong to another user
 };
 
-/// removes from a folder the incomplete files that processes of this computer have left that are no more.
+/// removes from a folder the incomplete files of processes of this computer that have ended.
 void sweep_temporary_files(const std::filesystem::path& folder);
 
-/// All files that a run is to write. They appear together, once all of them are complete. What fails throws a `Program_error`.
+/// All output files of a run. They appear together, after all of them are complete. Functions throw a `Program_error` on failure.
 class Output_files
 {
 public:
-  /// checks that all of them can be written, and that none of them would replace an input or another output.
+  /// checks that all files can be written, and that none would replace an input or another output.
   ///
-  /// \param names in the order in which they appear; empty ones are left out
+  /// \param names in the order in which the files appear; empty ones are ignored
   Output_files(const Words& names, const Words& inputs, Output_policy policy);
 
   ~Output_files();
 
-  /// writes all of a file by `write(stream)`, still under another name; nothing if the name is empty.
+  /// writes a file by `write(stream)` under a temporary name; does nothing if the name is empty.
   void write(const std::string& name, const std::function<void(std::ostream&)>& write);
 
-  /// returns the checksum of what has been written; there is none if it went elsewhere than to a file.
+  /// returns the checksum of a written file; none if it is not a regular file.
   std::optional<Checksum> checksum(const std::string& name) const;
 
-  /// gives all files their names, and replaces those that had them. Of several runs that write the same files at the
-  /// same time, all are of the last one.
+  /// renames all files to their names and replaces existing files. If several runs write the same files at the same time, all files are
+  /// those of the last run.
   void commit();
 
   Words names() const;

@@ -23,16 +23,16 @@ namespace Program {
 
 namespace {
 
-// Opens a file, unless it is no ordinary one.
+// Opens a regular file.
 std::ifstream open_file(const std::string& path)
 {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(path_of(path), error);
   if(fs::is_directory(status))
-    throw Program_error("this is a directory, not a file");
+    throw Program_error("it is a directory, not a file");
   if(fs::exists(status) && !fs::is_regular_file(status))
-    throw Program_error("this is a pipe or a device, not a file"); // it might never end
+    throw Program_error("it is a pipe or a device, not a regular file"); // it might never end
   errno = 0;
   std::ifstream in(path_of(path), std::ios::binary);
   if(!in)
@@ -40,7 +40,7 @@ std::ifstream open_file(const std::string& path)
   return in;
 }
 
-// Turns a file of this kind into what a mesh file holds. A file of values has no points.
+// Converts a file of this kind to the content of a mesh file. A file of values has no points.
 File_content content_of_surface_file(Surface_file_kind kind, const std::string& path, bool keeps_values)
 {
   std::string message;
@@ -62,8 +62,8 @@ File_content content_of_surface_file(Surface_file_kind kind, const std::string& 
     std::string name = !column.name.empty()       ? column.name
                        : file.columns.size() == 1 ? usual_name
                                                   : usual_name + '_' + std::to_string(k + 1);
-    const auto is_no_letter = [](char c) { return c <= ' ' || c > '~' || c == '#'; }; // for a PLY file
-    std::replace_if(name.begin(), name.end(), is_no_letter, '_');
+    const auto is_not_allowed = [](char c) { return c <= ' ' || c > '~' || c == '#'; }; // in names of a PLY file
+    std::replace_if(name.begin(), name.end(), is_not_allowed, '_');
     while(!names.insert(name).second)
       name += '_' + std::to_string(k + 1);
     if(column.intent == "NIFTI_INTENT_LABEL")
@@ -123,9 +123,9 @@ std::string read_file(const std::string& path)
     const std::size_t begin = content.size();
     content.resize(static_cast<std::size_t>(end));
     if(!in.read(&content[begin], static_cast<std::streamsize>(end - begin)))
-      throw Program_error("the file cannot be read to its end");
-    if(size > 0 && content.find_first_not_of('\0') == std::string::npos) // before gigabytes of them
-      throw Program_error("the file begins with nothing but zeros: it has never been written completely");
+      throw Program_error("the file cannot be read completely");
+    if(size > 0 && content.find_first_not_of('\0') == std::string::npos) // before gigabytes are read
+      throw Program_error("the file begins with zeros only: it was not written completely");
   }
   return content;
 }
@@ -202,11 +202,11 @@ SP::IO::Surface_file read_surface_file(Surface_file_kind kind, const std::string
     error = SP::IO::read_GIFTI(in, file, message);
 #endif
   else
-    throw Program_error(kind == Kind::mgh ? "this program was built without zlib, which reads MGH files"
-                                          : "this program was built without expat and zlib, which read GIFTI files");
+    throw Program_error(kind == Kind::mgh ? "this program was built without zlib, which MGH files need"
+                                          : "this program was built without expat and zlib, which GIFTI files need");
   if(error != SP::OK)
     throw Program_error(message);
-  // A label selects its vertices, whatever the value of each is, which most programs leave 0.
+  // A label selects its vertices, whatever their values, which are 0 in files of most programs.
   if(kind == Kind::freesurfer_label)
     for(SP::IO::Vertex_values& column : file.columns)
       std::fill(column.values.begin(), column.values.end(), 1.);
@@ -221,9 +221,9 @@ bool has_all_vertices(const std::vector<std::uint32_t>& vertices, std::size_t n_
 void check_mask_file(const std::string& path)
 {
   if(!is_among(file_format(path), input_formats) && kind_of_file(path) == Surface_file_kind::freesurfer_annotation)
-    throw error_in(path,
-                   "is an annotation, which does not say which of its labels count.\nGive a label of FreeSurfer, or "
-                   "a file with a number for each vertex.");
+    throw error_in(
+        path, "is an annotation, which does not specify which of its labels to include.\nUse a FreeSurfer label, or "
+              "a file with a number for each vertex.");
 }
 
 File_content read_file_content(const std::string& path, bool keeps_values)
@@ -237,12 +237,13 @@ File_content read_file_content(const std::string& path, bool keeps_values)
     if(std::filesystem::file_size(path_of(path), ignored) == 0)
       throw Program_error("the file is empty");
     if(kind == Surface_file_kind::none)
-      throw Program_error(keeps_values ? "this is no file with values of vertices: those are .ply, .gii, .mgh and .mgz "
-                                         "files, and files of FreeSurfer such as lh.sulc"
-                                       : "the name of a mesh file has to end with one of " + input_names);
+      throw Program_error(keeps_values
+                              ? "it is not a file of vertex values, such as .ply, .gii, .mgh and .mgz files, and "
+                                "FreeSurfer files such as lh.sulc"
+                              : "the name of a mesh file must end with one of " + input_names);
     File_content result = content_of_surface_file(kind, path, keeps_values);
     if(result.points.empty() && !keeps_values)
-      throw Program_error("the file has no surface, but values of the vertices of one");
+      throw Program_error("the file contains vertex values, but no surface");
     if(!result.points.empty())
       add_structure(result.origin.metadata_of_points, path);
     return result;
@@ -256,7 +257,7 @@ File_content read_file_of_values(const std::string& path)
   File_content content = read_file_content(path, true);
   if(!has_all_vertices(content.vertices, content.points.size()))
     throw error_in(path, "has values of ", content.vertices.size(),
-                   " vertices of a surface, not of all.\nWrite a file with a value for each vertex.");
+                   " vertices only.\nUse a file with a value for each vertex of the surface.");
   content.vertices.clear();
   return content;
 }
@@ -274,7 +275,7 @@ File_content read_values(const std::string& paths, const std::function<File_cont
                      " of ", result.number_of_vertices());
     for(const Values& values : soup.values_of_vertices)
       if(!names.insert(values.name).second)
-        throw error_in(path, "has values of the name ", printable(values.name), ", as a file before it");
+        throw error_in(path, "has values named ", printable(values.name), ", like an earlier file");
     if(path == files.front())
       result = std::move(soup);
     else
@@ -288,8 +289,8 @@ File_content read_values(const std::string& paths, const std::function<File_cont
         result.label_names = std::move(soup.label_names);
       }
       else if(!soup.labels.empty())
-        result.left_out.push_back("the names and colours of the labels of " + printable(path) +
-                                  ", as a file before it has some");
+        result.left_out.push_back("the names and colors of the labels of " + printable(path) +
+                                  ", because an earlier file has labels");
       std::move(soup.left_out.begin(), soup.left_out.end(), std::back_inserter(result.left_out));
     }
   }

@@ -9,12 +9,12 @@ namespace {
 
 const Words starts = {"hierarchical", "stereographic", "harmonic", "conformal", "schnyder"};
 
-// Which methods an option goes with; options that are not listed go with all.
+// The methods that an option applies to; options that are not listed apply to all.
 struct Scope
 {
   std::string option;
   Words methods;
-  bool goes_with_paper;
+  bool applies_to_paper;
 };
 
 const std::vector<Scope> scopes = {
@@ -33,7 +33,7 @@ const std::vector<Scope> scopes = {
 constexpr double max_sharpness = 1e6;
 constexpr double min_double = (std::numeric_limits<double>::min)(), max_double = (std::numeric_limits<double>::max)();
 
-// As many digits as it takes to read the same number again.
+// The shortest text, of at least 6 digits, from which the same number is read again.
 std::string short_text(double x)
 {
   std::string text;
@@ -46,7 +46,7 @@ std::string short_text(double x)
   return text;
 }
 
-// Refuses what would be ignored.
+// Reports options that would be ignored.
 void check_scopes(const Options& o)
 {
   Words known, known_to_paper;
@@ -54,16 +54,16 @@ void check_scopes(const Options& o)
   {
     if(is_among(o.method, scope.methods))
       known.push_back("--" + scope.option);
-    if(scope.goes_with_paper)
+    if(scope.applies_to_paper)
       known_to_paper.push_back("--" + scope.option);
   }
   for(const Scope& scope : scopes)
-    if(o.has(scope.option) && o.has("paper") && !scope.goes_with_paper)
-      o.fail("--" + scope.option + " is among the settings of --paper, which can be combined with " +
-             list_of(known_to_paper, " and ") + " only");
+    if(o.has(scope.option) && o.has("paper") && !scope.applies_to_paper)
+      o.fail("--" + scope.option + " cannot be combined with --paper, which sets it; only " +
+             list_of(known_to_paper, " and ") + " can");
     else if(o.has(scope.option) && !is_among(o.method, scope.methods))
-      o.fail("--" + scope.option + " goes with --method " + list_of(scope.methods, " or ") + "; " + o.method +
-             (known.empty() ? " has no settings" : " knows " + list_of(known, " and ") + " only"));
+      o.fail("--" + scope.option + " requires --method " + list_of(scope.methods, " or ") + "; " + o.method +
+             (known.empty() ? " has no settings" : " supports only " + list_of(known, " and ")));
 }
 
 void read_initial(Options& o)
@@ -71,7 +71,7 @@ void read_initial(Options& o)
   const std::string value = o.has("initial") ? o.text("initial") : o.has("paper") ? "harmonic" : "hierarchical";
   o.start = is_among(value, starts) ? value : "";
   if(o.start.empty() && !std::filesystem::exists(path_of(value)))
-    o.refuse("initial", list_of(starts, " or ") + ", or the name of a file with a map");
+    o.refuse("initial", list_of(starts, ", ") + ", or a file with a map");
   if(o.start.empty())
     o.start_file = value;
   o.describe(o.start.empty() ? "start from " + printable(o.start_file) : o.start + " start");
@@ -86,14 +86,14 @@ void read_areas(Options& o)
     return;
   o.density_file = value;
   if(value.empty())
-    o.fail("--density needs the name of a file, or the word equal");
+    o.fail("--density needs a file name, or equal");
   check_values(o, "density", value);
   if(o.has("output-folder"))
-    o.fail("--density with a file and --output-folder cannot be combined, as it is for one mesh");
+    o.fail("a --density file and --output-folder cannot be combined: the file belongs to one mesh");
   o.describe("areas by " + printable(value));
 }
 
-// The paper's schedule is exp(s E) with s from 0.1 to 10, after 100 sweeps of the plain sum of E. A fixed s is that of AMIPS.
+// The schedule of the paper is exp(s E) with s from 0.1 to 10, after 100 sweeps of the sum of E. A constant s is that of AMIPS.
 void read_schedule(Options& o)
 {
   const Words numbers = o.has("schedule") ? split_list(o.text("schedule")) : Words{"0.1", "10"};
@@ -102,7 +102,7 @@ void read_schedule(Options& o)
      !(first >= min_double && first <= last && last <= max_sharpness) ||
      (numbers.size() == 3 && (!is_number(numbers[2], n) || !(n >= 0. && n <= 1e9 && n == std::floor(n)))))
     o.refuse("schedule",
-             "FIRST,LAST or FIRST,LAST,SWEEPS with 2.3e-308 <= FIRST <= LAST <= 1e6 and a whole number of sweeps, "
+             "FIRST,LAST or FIRST,LAST,SWEEPS with 2.3e-308 <= FIRST <= LAST <= 1e6 and an integer number of sweeps, "
              "such as 0.1,10,100");
   o.describe("s " + (first < last ? "from " + short_text(first) + " to " : "= ") + short_text(last));
   const bool has_number = o.has("paper") || numbers.size() == 3;
@@ -114,7 +114,7 @@ void read_schedule(Options& o)
     o.description += " after sweeps of the plain sum while they help";
 }
 
-// What is preferred decides on the energy and the sharpness, and what is sampled on that.
+// --prefer determines energy and sharpness; its default depends on whether the surface is sampled.
 void read_energy(Options& o)
 {
   bool samples = o.is("remesh") && o.method == "bld" && !o.has("paper");
@@ -123,7 +123,7 @@ void read_energy(Options& o)
   const std::string preference =
       o.word("prefer", {"average", "balance", "worst", "sampling"}, samples ? "sampling" : "balance");
   if(preference == "sampling" && o.has("energy"))
-    o.fail("--prefer sampling has an energy of its own: leave out --energy");
+    o.fail("--prefer sampling sets the energy; omit --energy");
   o.energy = preference == "sampling"
                  ? "stretch"
                  : o.word("energy", {"symmetric-dirichlet", "isometric", "conformal"},
@@ -168,7 +168,7 @@ void read_radius(Options& o)
 void read_limits(Options& o)
 {
   const bool is_bld = o.method == "bld";
-  // Samples do not tell whether the last of the sweeps have been made.
+  // Samples do not show the effect of the last sweeps.
   o.energy_tolerance = o.number("tolerance", 0., 1., "a number from 0 to 1", o.energy == "stretch" ? 3e-3 : 1e-3);
   o.radius_tolerance = o.energy_tolerance > 0. ? 2e-3 : 0.;
   if(o.has("tolerance"))
@@ -191,7 +191,7 @@ void read_method_options(Options& o)
   o.method =
       o.word("method", {"bld", "hierarchical", "harmonic", "conformal", "arap", "stereographic", "schnyder"}, o.method);
   if(o.has("paper") && o.has("method"))
-    o.fail("--paper is a method of its own: leave out --method");
+    o.fail("--paper sets the method; omit --method");
   check_scopes(o);
   const bool is_bld = o.method == "bld", is_arap = o.method == "arap";
   o.is_unit_sphere = !is_bld && !is_arap;

@@ -10,13 +10,13 @@ namespace Program {
 
 namespace {
 
-// What would be ignored, or has no meaning.
+// Options that exclude each other.
 struct Contradiction
 {
   const char *option, *other, *text;
 };
 
-constexpr const char *contradict = " contradict each other: give one of them", *exclude = " cannot be combined";
+constexpr const char *contradict = " contradict each other; give only one of them", *exclude = " cannot be combined";
 
 const std::vector<Contradiction> contradictions = {
     {"areas", "through", exclude},      {"mask", "through", exclude},          {"valid", "through", exclude},
@@ -24,7 +24,7 @@ const std::vector<Contradiction> contradictions = {
     {"schedule", "prefer", contradict}, {"schedule", "sharpness", contradict}, {"initial", "density", exclude},
     {"radius", "density", exclude},     {"tolerance", "density", exclude},     {"template", "density", exclude}};
 
-// What options that are not looked at here may be.
+// Values of options that need no other check.
 const std::map<std::string, Words> choices = {
     {"convention", {"cortex", "none"}}, {"regularize", {"surfaces", "spheres"}}, {"compare", {"ranks", "values"}}};
 
@@ -39,21 +39,21 @@ void check_words(const Options& o)
     if(values.front().empty() && is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere",
                                                    "json", "colored", "page", "template", "overlay", "expected-errors",
                                                    "labels", "beside", "mask", "valid", "repaired", "handles"}))
-      o.fail("--" + option + " needs a name");
+      o.fail("--" + option + " needs a file name");
 }
 
-// Refuses the name of a file whose format cannot be written.
+// Checks that the format of an output file can be written.
 void check_output(const Options& o, const std::string& option, const std::string& name)
 {
   if(o.format_of(name).empty())
-    o.fail("--" + option + " has to be a name that ends with " + output_names + ", not '" + printable(name) + "'");
+    o.fail("--" + option + " must be a file name that ends with " + output_names + ", not '" + printable(name) + "'");
 #ifndef PROGRAM_READS_GIFTI
   if(is_gifti(o.format_of(name)))
-    o.fail("--" + option + ": this program was built without expat and zlib, which GIFTI files take");
+    o.fail("--" + option + ": this program was built without expat and zlib, which GIFTI files need");
 #endif
 }
 
-// Gives the names of files to what the command takes.
+// Assigns the file names to the arguments of the command.
 void read_names(Options& o)
 {
   o.inputs = o.names;
@@ -69,11 +69,11 @@ void read_names(Options& o)
   o.file_names.input = o.names.front();
   std::error_code ignored;
   if(std::filesystem::is_directory(path_of(o.file_names.input), ignored))
-    o.fail(printable(o.file_names.input) + " is a folder; to map the meshes in it, say with --output-folder where to");
+    o.fail(printable(o.file_names.input) + " is a folder; to map the meshes in it, give --output-folder");
   o.is_onto_atlas = o.is("register");
   (o.is("check") || o.is("show") ? o.sphere_file : o.is("remesh") ? o.domain : o.onto) = second;
   if(o.is("check") && second.empty() && o.has("json"))
-    o.fail("--json has the distortions of a sphere: check SURFACE SPHERE --json FILE");
+    o.fail("--json needs a sphere, whose distortion it reports: check SURFACE SPHERE --json FILE");
 }
 
 void read_resampling(Options& o)
@@ -82,14 +82,14 @@ void read_resampling(Options& o)
     o.fail(std::string("resample needs ") +
            (o.has("output") ? "one of -o and --output-folder" : "-o or --output-folder"));
   if(o.inputs.size() > 1 && o.has("output"))
-    o.fail("there is more than one file of values; a name with blanks has to be quoted, and many need --output-folder");
+    o.fail("several files of values need --output-folder instead of -o; quote file names that contain blanks");
   o.method =
       o.word("method", {"barycentric", "adaptive", "nearest", "largest"}, o.has("areas") ? "adaptive" : "barycentric");
   const bool needs_areas = is_among(o.method, {"adaptive", "largest"});
   if(needs_areas && !o.has("areas"))
-    o.fail("--method " + o.method + " needs --areas, of the vertices of both spheres");
+    o.fail("--method " + o.method + " needs --areas, the vertex areas of both spheres");
   if(!needs_areas && o.has("areas"))
-    o.fail("--areas goes with --method adaptive or largest");
+    o.fail("--areas requires --method adaptive or largest");
   o.file_names.sphere = o.text("output");
 }
 
@@ -102,15 +102,15 @@ void read_format(Options& o)
              : word == "gifti"    ? ".gii"
                                   : file_format("sphere." + word.substr(word.find_first_not_of('.') == 1 ? 1 : 0));
   if(!is_among(o.format, output_formats) && o.format != freesurfer_format)
-    o.refuse("format", "one of off, obj, ply, ts, gifti or freesurfer");
+    o.refuse("format", "off, obj, ply, ts, gifti or freesurfer");
 }
 
 void read_features(Options& o)
 {
   const Words lists = o.words("features");
   if(o.is_onto_atlas && !o.has("features"))
-    o.fail("register needs --features, as a sphere has none of its own: what SURFACE is compared by, such as depth "
-           "or lh.sulc, and a file of what ATLAS has for it");
+    o.fail("register needs --features: a feature of SURFACE, such as depth or lh.sulc, and a file with the same "
+           "feature of ATLAS, because a sphere has no features of its own");
   for(const std::string& list : lists)
   {
     check_values(o, "features", list);
@@ -122,7 +122,8 @@ void read_features(Options& o)
                  list_of(own_feature_names));
       }
       else if(o.is_onto_atlas && &list == &lists[1])
-        o.fail("--features has '" + name + "' for the atlas, which is a sphere without folds: give a file of values");
+        o.fail("--features has '" + name +
+               "' for the atlas, but this cannot be computed from a sphere; give a file of values");
   }
   if(!o.has("feature-weights"))
     return;
@@ -132,7 +133,7 @@ void read_features(Options& o)
     double weight = -1.;
     if(sign == 0 || sign == pair.npos || !is_number(pair.substr(sign + 1), weight) ||
        !(weight >= 0. && weight <= 1e6) || !o.feature_weights.emplace(pair.substr(0, sign), weight).second)
-      o.refuse("feature-weights", "a list such as sulc=2,curv=0.5: each name once, with a number from 0 to 1e6");
+      o.refuse("feature-weights", "a list such as sulc=2,curv=0.5, each name once, with a number from 0 to 1e6");
   }
 }
 
@@ -147,25 +148,23 @@ void read_match(Options& o)
   for(const std::string& name : o.words("masks"))
     check_values(o, "masks", name);
   if(o.has("split") && o.text("regularize") == "spheres")
-    o.fail("--split and --regularize spheres contradict each other: edges are split where faces bend over the surface");
+    o.fail("--split and --regularize spheres contradict each other: --split lowers the energy between surfaces");
   o.file_names.overlay = o.text("overlay");
   if(o.has("overlay") && file_format(o.file_names.overlay) != ".ply")
-    o.refuse("overlay", "the name of a .ply file, which can hold properties");
+    o.refuse("overlay", "the name of a .ply file, which can store properties");
   o.file_names.expected_errors = o.text("expected-errors");
   const std::string& errors = o.file_names.expected_errors;
   if(!errors.empty() && file_format(errors) != ".ply" && is_among(format_of_values(errors), {"", ".annot"}))
-    o.fail("--expected-errors has to be a name that ends with .ply, .gii, .mgh or .mgz, or begins with lh. or rh. for "
-           "the format of "
-           "FreeSurfer, not '" +
+    o.fail("--expected-errors must be a file name that ends with .ply, .gii, .mgh or .mgz, or begins with lh. or rh. "
+           "for the format of FreeSurfer, not '" +
            printable(errors) + "'");
   if(o.has("expected-errors") && o.has("features"))
-    o.fail(
-        "--expected-errors and --features cannot be combined: errors are known for the features of the program alone");
+    o.fail("--expected-errors and --features cannot be combined: errors are estimated only for the built-in features");
   if(!o.has("morph"))
     return;
   const Words morph = o.words("morph");
   if(!is_number(morph[0], o.morph_time) || !(o.morph_time >= 0. && o.morph_time <= 1.))
-    o.fail("--morph has to be a number from 0 to 1 and the name of a file, not '" + printable(morph[0]) + "'");
+    o.fail("--morph must be a number from 0 to 1 and a file name, not '" + printable(morph[0]) + "'");
   o.file_names.morph = morph[1];
   check_output(o, "morph", morph[1]);
 }
@@ -173,7 +172,7 @@ void read_match(Options& o)
 void read_batch(Options& o)
 {
   if(!o.has("output-folder"))
-    o.fail("batch needs --output-folder, where the spheres and their reports are written");
+    o.fail("batch needs --output-folder, the folder for spheres and reports");
 }
 
 void read_files(Options& o)
@@ -195,20 +194,20 @@ void read_files(Options& o)
   if(o.has("page"))
     names.page = o.text("page");
   if(o.is("show") && !o.has("output"))
-    o.fail("show needs -o, the name of the page");
+    o.fail("show needs -o, the file name of the page");
   if(!names.page.empty() && file_format(names.page) != ".html")
-    o.refuse(o.is("show") ? "output" : "page", "a name that ends with .html");
+    o.refuse(o.is("show") ? "output" : "page", "a file name that ends with .html");
   if(o.has("labels") && names.page.empty())
-    o.fail("--labels goes with --page");
+    o.fail("--labels requires --page");
   if(o.has("beside") && !o.sphere_file.empty())
-    o.fail("show takes one of SPHERE and --beside");
+    o.fail("SPHERE and --beside cannot be combined");
 }
 
 void read_domain(Options& o)
 {
   constexpr unsigned int max_subdivision = SP::Sphere_domain_3::max_subdivision;
   if(o.domain.empty() && (!o.has("geometry-image") || o.has("output") || o.has("transfer")))
-    o.fail("there is no DOMAIN to sample by, such as octahedron=64");
+    o.fail("remesh needs a DOMAIN, such as octahedron=64");
   const std::size_t equals = o.domain.find('=');
   double n = 0.;
   std::error_code ignored;
@@ -220,9 +219,9 @@ void read_domain(Options& o)
     o.domain_size = static_cast<unsigned int>(n);
   }
   else if(!o.domain.empty() && (is_solid || !std::filesystem::is_regular_file(path_of(o.domain), ignored)))
-    o.fail("DOMAIN has to be octahedron=N, cube=N or icosahedron=N with a whole number N from 1 to " +
-           std::to_string(max_subdivision) + ", or the name of a file with a mesh of the sphere, not '" +
-           printable(o.domain) + "'");
+    o.fail("DOMAIN must be octahedron=N, cube=N or icosahedron=N with an integer N from 1 to " +
+           std::to_string(max_subdivision) + ", or a file with a mesh of the sphere, not '" + printable(o.domain) +
+           "'");
 }
 
 void read_sampling(Options& o)
@@ -236,18 +235,18 @@ void read_sampling(Options& o)
   o.image_size = o.has("geometry-image") ? static_cast<unsigned int>(size) : 0;
   o.file_names.image = o.text("geometry-image");
   if(o.has("geometry-image") && !is_among(file_format(o.file_names.image), {".png", ".exr"}))
-    o.refuse("geometry-image", "a name that ends with .png or .exr");
+    o.refuse("geometry-image", "a file name that ends with .png or .exr");
   if(!o.has("transfer"))
     return;
   check_values(o, "transfer", o.text("transfer"));
   const std::string &name = o.file_names.remesh, format = o.format_of(name);
   if(o.has("output") && format != ".ply" && !is_gifti(format))
-    o.refuse("output", "the name of a .ply or .gii file, as other formats do not hold the properties of --transfer");
+    o.refuse("output", "the name of a .ply or .gii file; other formats cannot store the properties of --transfer");
   if(is_gifti(format))
     o.file_names.values = name.substr(0, name.size() - ending_of(name).size()) + ".func" + format;
 }
 
-// Refuses what has values or numbers of the vertices of the file, where what is mapped has others.
+// Checks that no option refers to vertices or faces of the file where the mapped surface has different ones.
 void check_numbers(const Options& o, const std::string& option, const std::string& why)
 {
   Words others;
@@ -263,28 +262,29 @@ void check_numbers(const Options& o, const std::string& option, const std::strin
       if(!is_among(name, own_feature_names))
         others.push_back("features");
   if(!others.empty())
-    o.fail("--" + option + " and a file of --" + others.front() + " cannot be combined, as " + why);
+    o.fail("--" + option + " and a file of --" + others.front() + " cannot be combined: " + why);
 }
 
-// What is done to a surface before it is mapped.
+// The repair of a surface before it is mapped.
 void read_repair(Options& o)
 {
-  const Words wishes = {"repair", "repaired", "max-added-area", "max-hole", "max-handle", "coarse-patches", "wrap"};
-  if(o.is("repair") || std::any_of(wishes.begin(), wishes.end(), [&](const std::string& wish) { return o.has(wish); }))
+  const Words triggers = {"repair", "repaired", "max-added-area", "max-hole", "max-handle", "coarse-patches", "wrap"};
+  if(o.is("repair") ||
+     std::any_of(triggers.begin(), triggers.end(), [&](const std::string& option) { return o.has(option); }))
   {
     constexpr double any = (std::numeric_limits<double>::infinity)();
     Repair_settings& repair = o.repair.emplace();
     repair.limits.maximum_added_area =
         o.number("max-added-area", 0., 1., "a number from 0 to 1", repair.limits.maximum_added_area);
-    repair.limits.maximum_hole = o.number("max-hole", 0., any, "a number from 0 on", any);
-    repair.limits.maximum_handle = o.number("max-handle", 0., any, "a number from 0 on", any);
+    repair.limits.maximum_hole = o.number("max-hole", 0., any, "a number that is not negative", any);
+    repair.limits.maximum_handle = o.number("max-handle", 0., any, "a number that is not negative", any);
     repair.limits.refines_patches = !o.has("coarse-patches");
     repair.alpha = o.number("wrap", 1e-4, 1., "a number from 1e-4 to 1", 0.);
     o.describe("repaired");
     if(o.has("wrap"))
     {
       o.describe("wrapped: " + o.text("wrap"));
-      check_numbers(o, "wrap", "nothing of the surface of the file is left");
+      check_numbers(o, "wrap", "the wrapped surface has new vertices and faces");
     }
   }
   o.file_names.handles = o.text("handles");
@@ -295,8 +295,8 @@ void read_repair(Options& o)
   if(o.has("each-component"))
   {
     check_numbers(o, "each-component",
-                  "the vertices of each component have numbers of their own; write the components by the command "
-                  "repair, and map these");
+                  "the vertices of each component are numbered separately; write the components with the command "
+                  "repair, and map these files");
     o.describe("each component");
   }
 }
@@ -307,7 +307,7 @@ void check_values(const Options& o, const std::string& option, const std::string
 {
   for(const std::string& name : split_list(names))
     if(is_among(file_format(name), {".off", ".obj", ".stl", ".ts"}))
-      o.fail("--" + option + " needs .ply files, which can hold properties, or files of values of vertices, not '" +
+      o.fail("--" + option + " needs .ply files, which can store properties, or files of vertex values, not '" +
              printable(name) + "'");
 }
 

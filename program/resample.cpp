@@ -18,14 +18,13 @@ namespace {
 
 using SP::IO::Surface_file;
 
-// Makes the folder of the outputs, if there is one, and returns their names: of all inputs, and of the vertices that get
-// something, if that is wanted.
+// Creates the output folder, if there is one, and returns the names of the outputs: for all inputs, and of --valid.
 Words names_of_outputs(const Options& options)
 {
   const std::filesystem::path folder = path_of(options.text("output-folder"));
   std::error_code error;
   if(options.is_batch() && !std::filesystem::create_directories(folder, error) && error)
-    throw error_in(options.text("output-folder"), "cannot be made: ", error.message());
+    throw error_in(options.text("output-folder"), "cannot be created: ", error.message());
   Words names;
   for(const std::string& input : options.inputs)
     names.push_back(options.is_batch() ? name_of(folder / path_of(input).filename()) : options.file_names.sphere);
@@ -40,37 +39,38 @@ Words all_inputs_of(const Options& options)
   return inputs;
 }
 
-// Refuses the name of a file that cannot hold what is to be written.
+// Checks that the format of an output file can store the data.
 void check_holds(const std::string& name, const Surface_file& file)
 {
   const std::string format = format_of_values(name);
   if(!file.points.empty() && output_format(name).empty())
-    throw error_in(name, "has to be a name that ends with ", output_names, ", as a surface is written");
+    throw error_in(name, "the name of a surface file must end with ", output_names);
   if(file.points.empty() && format.empty())
-    throw error_in(name, "has to be a name that ends with .gii, .mgh, .mgz or .annot, or begins with lh. or rh. "
-                         "for the format of FreeSurfer, as values are written");
+    throw error_in(name,
+                   "the name of a file of values must end with .gii, .mgh, .mgz or .annot, or begin with lh. or rh. "
+                   "for the format of FreeSurfer");
   if(file.points.empty() && format == freesurfer_format && file.columns.size() > 1)
-    throw error_in(name, "cannot hold ", file.columns.size(), " columns: choose a name that ends with .gii or .mgh");
+    throw error_in(name, "cannot store ", file.columns.size(), " columns; choose a name that ends with .gii or .mgh");
   if(!file.points.empty() && !file.columns.empty() && !is_gifti(output_format(name)))
-    throw error_in(name, "cannot hold the values that come with the surface: choose a name that ends with .gii");
+    throw error_in(name, "cannot store the values of the surface; choose a name that ends with .gii");
   if(format == ".annot" && file.columns.size() > 1)
-    throw error_in(name, "cannot hold ", file.columns.size(), " columns: choose a name that ends with .gii");
+    throw error_in(name, "cannot store ", file.columns.size(), " columns; choose a name that ends with .gii");
   if(format == ".annot" && file.labels.empty())
-    throw error_in(name, "cannot hold values without a table of labels: choose another format");
+    throw error_in(name, "cannot store values without a table of labels; choose another format");
 }
 
 void check_number(const std::string& name, std::size_t n, const std::string& sphere, std::size_t n_of_sphere)
 {
   if(n != n_of_sphere)
-    throw error_in(name, "is of ", n, " vertices, but ", printable(sphere), " has ", n_of_sphere);
+    throw error_in(name, "has ", n, " vertices, but ", printable(sphere), " has ", n_of_sphere);
 }
 
-bool is_one_to_one(Input_mesh& mesh)
+bool is_bijective(Input_mesh& mesh)
 {
   return SP::is_bijective(mesh.mesh(), mesh.mesh().points());
 }
 
-// Says in the metadata which half of the brain values or points are of, as those of the sphere or the name do.
+// Adds the hemisphere to the metadata of values or points, from the metadata of the sphere or the file name.
 void inherit_structure(SP::IO::Metadata& metadata, const std::string& name, const Surface_file& sphere)
 {
   const auto is_structure = [](const auto& pair) { return pair.first == "AnatomicalStructurePrimary"; };
@@ -84,8 +84,8 @@ void inherit_structure(SP::IO::Metadata& metadata, const std::string& name, cons
     add_structure(metadata, name);
 }
 
-// Carries what the vertices of a sphere have to those of another one: columns of values, labels, or points; or spheres through a
-// registration.
+// Transfers data of the vertices of a sphere to those of another one: columns of values, labels, or points; or applies a registration to
+// spheres.
 class Resampling_run
 {
 public:
@@ -99,8 +99,8 @@ public:
     , m_to(read_sphere(m_to_name))
   {}
 
-  // reads all files, resamples and writes. The files appear once all of them are complete.
-  void carry_values()
+  // reads all files, resamples and writes. The files appear after all of them are complete.
+  void transfer_values()
   {
     m_resampler.method(m_options.method == "nearest"    ? SP::Resampling_method::nearest
                        : m_options.method == "largest"  ? SP::Resampling_method::largest
@@ -137,13 +137,13 @@ public:
     }
     commit();
     if(!m_options.has("quiet"))
-      std::cout << "resampled by " << m_options.method << " weights: " << m_from.points.size() << " to "
+      std::cout << "Resampled with " << m_options.method << " weights: " << m_from.points.size() << " to "
                 << m_to.points.size() << " vertices, of which " << std::count(has_value.begin(), has_value.end(), false)
-                << " get nothing\n";
+                << " receive no value\n";
   }
 
-  // carries spheres through the registration of the first sphere, which is the second one. Returns the exit status.
-  int carry_spheres()
+  // applies the registration that maps the first sphere to the second one, with the same faces, to spheres. Returns the exit status.
+  int register_spheres()
   {
     check_number(m_to_name, m_to.points.size(), m_from_name, m_from.points.size());
     if(m_to.triangles != m_from.triangles)
@@ -161,7 +161,7 @@ public:
         check(error, name);
       Input_mesh mesh(name, content_of(file));
       auto points = mesh.mesh().points();
-      bool is_sphere = is_one_to_one(mesh);
+      bool is_sphere = is_bijective(mesh);
       if(is_sphere && is_cortical(output_format(m_names[k])))
       {
         is_sphere = SP::round_to_float(mesh.mesh(), points, points) == SP::OK;
@@ -170,8 +170,8 @@ public:
       }
       if(!is_sphere)
       {
-        std::cerr << "spherical_parameterization: " << printable(m_names[k]) << ": folds, as faces of "
-                  << printable(name) << " are too large for the registration, or that folds itself\n";
+        std::cerr << "spherical_parameterization: " << printable(m_names[k]) << ": the map is not bijective: faces of "
+                  << printable(name) << " are too large for the registration, or the registration is not bijective\n";
         status = exit_status_folded;
       }
       file.origin = inherited(std::move(file.origin), true);
@@ -179,7 +179,7 @@ public:
     }
     commit();
     if(!m_options.has("quiet"))
-      std::cout << "carried through the registration: " << m_options.inputs.size()
+      std::cout << "Mapped through the registration: " << m_options.inputs.size()
                 << (m_options.inputs.size() == 1 ? " sphere\n" : " spheres\n");
     return status;
   }
@@ -190,7 +190,7 @@ private:
 
   void add(const Hemispheres& files) { m_hemispheres.insert(m_hemispheres.end(), files.begin(), files.end()); }
 
-  // Reads a surface, or values, as they are in a file.
+  // Reads a surface or values from a file.
   Surface_file read_arrays(const std::string& path)
   {
     if(!is_among(file_format(path), input_formats))
@@ -198,7 +198,7 @@ private:
       Surface_file file = read_named(path, [&] {
         const Surface_file_kind kind = kind_of_file(path);
         if(kind == Surface_file_kind::none)
-          throw Program_error("is neither a mesh nor a file with values of vertices");
+          throw Program_error("is neither a mesh nor a file of vertex values");
         std::string message;
         return read_surface_file(kind, path, message);
       });
@@ -216,7 +216,7 @@ private:
   {
     Surface_file file = read_arrays(name);
     if(file.points.empty())
-      throw error_in(name, "has values of vertices, but no surface: a sphere is needed");
+      throw error_in(name, "contains vertex values, but no surface; a sphere is required");
     return file;
   }
 
@@ -225,20 +225,20 @@ private:
     for(std::size_t v = 0; v < file.points.size(); ++v)
       for(const double x : file.points[v])
         if(!std::isfinite(x))
-          throw error_in(name, "has a coordinate that is infinite or not a number, of vertex ", v,
-                         ". (Vertices are counted from 0.)");
+          throw error_in(name, "vertex ", v,
+                         " has a coordinate that is infinite or not a number. (Vertices are counted from 0.)");
   }
 
-  // checks that a file has what can be carried over
+  // checks that the content of a file can be transferred
   void check_content(const std::string& name, const Surface_file& file) const
   {
     if(!has_all_vertices(file.vertices, file.points.size()))
-      throw error_in(name, "has values of some vertices of a surface, not of all");
+      throw error_in(name, "has values of only some vertices of a surface");
     check_finite(name, file);
     if(file.points.empty() && file.columns.empty())
-      throw error_in(name, "has nothing that vertices have");
+      throw error_in(name, "contains no vertex data");
     if(!file.points.empty() && m_options.has("mask"))
-      throw error_in(name, "is a surface, all of whose vertices have a point: leave out --mask");
+      throw error_in(name, "is a surface, whose vertices all have a point; omit --mask");
     check_number(name, file.points.empty() ? file.columns[0].values.size() : file.points.size(), m_from_name,
                  m_from.points.size());
   }
@@ -247,22 +247,21 @@ private:
   {
     const Surface_file file = read_arrays(name);
     if(!has_all_vertices(file.vertices, file.points.size()))
-      throw error_in(name, "has areas of some vertices of a surface, not of all");
+      throw error_in(name, "has areas of only some vertices of a surface");
     if(file.points.empty() && file.columns.size() > 1)
-      throw error_in(name, "has ", file.columns.size(), " columns: areas are one number for each vertex");
+      throw error_in(name, "has ", file.columns.size(), " columns, but there is one area per vertex");
     for(const auto& t : file.triangles)
       if((std::max)({t[0], t[1], t[2]}) >= file.points.size())
-        throw error_in(name, "has a triangle with a vertex that is none");
+        throw error_in(name, "has a triangle with an invalid vertex index");
     const std::vector<double> areas = !file.points.empty()    ? Resampler::vertex_areas(file.points, file.triangles)
                                       : !file.columns.empty() ? file.columns[0].values
                                                               : std::vector<double>();
     check_number(name, areas.size(), sphere, n);
     for(std::size_t v = 0; v < n; ++v)
       if(!(areas[v] >= 0. && std::isfinite(areas[v])))
-        throw error_in(name, "has an area that is negative or not finite, of vertex ", v,
-                       ". (Vertices are counted from 0.)");
+        throw error_in(name, "the area of vertex ", v, " is negative or not finite. (Vertices are counted from 0.)");
     if(std::all_of(areas.begin(), areas.end(), [](double x) { return x == 0.; }))
-      throw error_in(name, "has no area: all are 0");
+      throw error_in(name, "all areas are 0");
     return areas;
   }
 
@@ -273,8 +272,8 @@ private:
     const std::size_t n = m_from.points.size();
     std::vector<bool> mask(n, false);
     if(file.columns.size() != 1)
-      throw error_in(name, file.columns.empty() ? "has no values of vertices, which a mask consists of"
-                                                : "is no mask: it has several values for each vertex");
+      throw error_in(name, file.columns.empty() ? "is not a mask: it has no vertex values"
+                                                : "is not a mask: it has several values per vertex");
     const std::vector<double>& values = file.columns[0].values;
     if(file.vertices.empty())
       check_number(name, values.size(), m_from_name, n);
@@ -284,15 +283,15 @@ private:
       if(v >= n)
         check_number(name, v + 1, m_from_name, n);
       if(values[i] != values[i])
-        throw error_in(name, "is no mask: vertex ", v, " has a value that is not a number");
+        throw error_in(name, "is not a mask: vertex ", v, " has a value that is not a number");
       mask[v] = values[i] > 0.;
     }
     if(std::find(mask.begin(), mask.end(), true) == mask.end())
-      throw error_in(name, "is no mask: no vertex has a positive value");
+      throw error_in(name, "is not a mask: no vertex has a positive value");
     return mask;
   }
 
-  // Finds the weights for a sphere; reports what is wrong with it, or with the first one, if there are none.
+  // Computes the weights for a sphere; reports its defect, or that of the first sphere, on failure.
   void connect(const Surface_file& to, const std::string& to_name)
   {
     const SP::Error_code error = m_resampler.connect(m_from.points, m_from.triangles, to.points, to.triangles);
@@ -301,13 +300,13 @@ private:
       {
         Input_mesh mesh(name, content_of(sphere));
         mesh.check();
-        if(!is_one_to_one(mesh))
+        if(!is_bijective(mesh))
           throw error_in(name, no_sphere);
       }
     check(error, m_from_name);
   }
 
-  // The key of what gets no label: 0, unless it is that of a region.
+  // Returns the key of vertices without a label: 0, unless it is that of a region.
   static std::int32_t find_key_of_nothing(const std::vector<SP::IO::Label>& labels)
   {
     std::int32_t next = 1;
@@ -322,10 +321,10 @@ private:
     return is_0_free ? 0 : next;
   }
 
-  // Replaces what the vertices of the first sphere have by what those of the second one get.
+  // Replaces the data of the vertices of the first sphere by those of the second one.
   void resample(Surface_file& file, const std::string& name) const
   {
-    file.vertices.clear(); // which were all
+    file.vertices.clear(); // all vertices have values
     const std::int32_t key_of_nothing = find_key_of_nothing(file.labels);
     const std::vector<bool> has_value = m_resampler.has_value();
     for(SP::IO::Vertex_values& column : file.columns)
@@ -377,7 +376,7 @@ private:
   const Options& m_options;
   Words m_names;
   Output_files m_outputs;
-  Hemispheres m_hemispheres; // of all that is read
+  Hemispheres m_hemispheres; // of all input files
   std::string m_from_name, m_to_name;
   Surface_file m_from, m_to;
   Resampler m_resampler;
@@ -389,8 +388,8 @@ int run_resample(const Options& options)
 {
   Resampling_run run(options);
   if(options.has("through"))
-    return run.carry_spheres();
-  run.carry_values();
+    return run.register_spheres();
+  run.transfer_values();
   return EXIT_SUCCESS;
 }
 

@@ -10,10 +10,10 @@ namespace Program {
 
 namespace {
 
-// Reads the density of each vertex or of each face of the mesh from a file; says which.
+// Reads the density of each vertex or each face of the mesh from a file.
 std::vector<double> read_density(const std::string& name, Input_mesh& input, bool& is_of_vertices)
 {
-  const File_content soup = input.carried(read_file_of_values(name));
+  const File_content soup = input.transferred(read_file_of_values(name));
   return read_named(name, [&] {
     const Values* density = nullptr;
     for(const std::vector<Values>* all : {&soup.values_of_vertices, &soup.values_of_faces})
@@ -25,18 +25,19 @@ std::vector<double> read_density(const std::string& name, Input_mesh& input, boo
           is_of_vertices = all == &soup.values_of_vertices;
         }
     if(density == nullptr)
-      throw Program_error("is no density: it has not one value for each vertex or each face, nor a property density");
+      throw Program_error(
+          "is not a density: it has neither exactly one value per vertex or face nor a property density");
     const std::vector<double>& result = density->numbers;
     const std::string kind = is_of_vertices ? " vertices" : " faces";
     const std::size_t n = is_of_vertices ? input.mesh().number_of_vertices() : input.mesh().number_of_faces();
     if(result.size() != n)
-      throw Program_error("is no density for the mesh: it is that of ", result.size(), kind, ", the mesh has ", n);
+      throw Program_error("does not match the mesh: it has the density of ", result.size(), kind, ", the mesh has ", n);
     for(std::size_t k = 0; k < n; ++k)
       if(!(result[k] >= 0. && std::isfinite(result[k])))
         throw Program_error("the density of ", std::string(is_of_vertices ? "vertex " : "face "), k,
-                            " is negative, infinite or not a number. (They are counted from 0.)");
+                            " is negative, infinite or not a number. (Vertices and faces are counted from 0.)");
     if(std::all_of(result.begin(), result.end(), [](double x) { return x == 0.; }))
-      throw Program_error("the density is 0 everywhere: nothing of the surface would have a place on the sphere");
+      throw Program_error("the density is 0 everywhere: no part of the surface would have an area on the sphere");
     return result;
   });
 }

@@ -12,7 +12,7 @@ namespace Program {
 
 namespace {
 
-// Says why a run has left no map and what helps, in the words of the command line.
+// Explains why a run has no map, and which options help.
 std::string explain_failure(SP::Error_code error, Input_mesh& input, const Options& options)
 {
   const std::string defect = input.find_defect();
@@ -26,21 +26,21 @@ std::string explain_failure(SP::Error_code error, Input_mesh& input, const Optio
     return text;
 
   const bool is_conformal = options.start == "conformal";
-  const std::string map = is_alone ? options.method + " map" : options.start + " start";
+  const std::string map = is_alone ? options.method + " map" : options.start + " initial map";
   const std::string advice =
-      is_alone ? "take --method hierarchical or --method bld"
-               : std::string("take ") + (is_conformal ? "--initial harmonic or " : "") + "--initial hierarchical";
+      is_alone ? "use --method hierarchical or --method bld"
+               : std::string("use ") + (is_conformal ? "--initial harmonic or " : "") + "--initial hierarchical";
   switch(error)
   {
   case SP::ERROR_INVALID_INITIAL_PARAMETERIZATION:
     return input.name() + ": the " + map +
-           (is_conformal ? " folds on this mesh, or nearly so: nothing prevents a conformal map from that, and "
-                         : " is one-to-one on this mesh only just so, by less than rounding can change, and ") +
-           options.method + " has to start from one that is one-to-one; " + advice;
+           (is_conformal ? " has inverted triangles on this mesh, or nearly so, which conformal maps permit; "
+                         : " of this mesh is bijective, but not robustly against rounding errors; ") +
+           options.method + " needs a bijective initial map; " + advice;
   case SP::ERROR_INSUFFICIENT_PRECISION:
-    return input.name() + ": no one-to-one " + map +
-           " was found that double precision numbers can hold: parts of the surface would have to be smaller than "
-           "their resolution; " +
+    return input.name() + ": the " + map +
+           " is not bijective in double precision: on the sphere, parts of the surface would be smaller than its "
+           "resolution; " +
            advice;
   case SP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
     return input.name() + ": the linear system of the " + map + " could not be solved; " + advice;
@@ -53,7 +53,7 @@ std::string explain_failure(SP::Error_code error, Input_mesh& input, const Optio
 
 Chosen_radius chosen_radius(const Options& options)
 {
-  if(options.radius == "two-phase") // in the paper the second phase waits for the energy as well
+  if(options.radius == "two-phase") // in the paper, the second phase also depends on the energy
     return {options.has("paper") ? SP::Two_phase_radius_3<>({}, {}, 0.) : SP::Two_phase_radius_3<>()};
   if(options.radius == "optimal")
     return {SP::Optimal_radius_3()};

@@ -15,19 +15,19 @@ struct Area_report;
 
 namespace Program {
 
-/// What a method has told of its run.
+/// The result of a method.
 struct Run_result
 {
   SP::Parameterization_report report;
   std::vector<std::array<double, 3>> history;        ///< iteration, energy and radius of each sweep or global step
   bool is_one_to_one = false;                        ///< certified
-  std::shared_ptr<const SP::Area_report> areas = {}; ///< if areas were wanted
+  std::shared_ptr<const SP::Area_report> areas = {}; ///< for prescribed areas
 };
 
-/// maps the mesh to a sphere by the method that the options name.
+/// maps the mesh to a sphere by the method in the options.
 Run_result run_method(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 
-/// does so by the methods of lowest distortion, from the map that the options name or, if areas are wanted, to these.
+/// maps the mesh by the low-distortion methods: from the initial map in the options, or to prescribed areas.
 Run_result run_descent(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 Run_result run_area_descent(const Options& options, Input_mesh& input, const Sphere_map& sphere);
 

@@ -25,7 +25,7 @@
 
 namespace Program {
 
-/// The radius policy that was chosen at run time, so that methods are compiled once for all of them.
+/// A radius policy that is chosen at run time, so that methods are compiled once for all policies.
 struct Chosen_radius
 {
   std::variant<SP::Two_phase_radius_3<>, SP::Optimal_radius_3, SP::Area_balancing_radius_3,
@@ -48,7 +48,7 @@ struct Chosen_radius
   }
 };
 
-/// The parameterizer without settings that was chosen at run time: a method of its own, or the start of another one.
+/// A parameterizer without settings that is chosen at run time: a method, or the initial map of another method.
 struct Chosen_parameterizer
 {
   std::variant<SP::Stereographic_parameterizer_3<>, SP::Harmonic_parameterizer_3<>, SP::Conformal_parameterizer_3<>,
@@ -69,22 +69,22 @@ struct Chosen_parameterizer
   }
 };
 
-/// returns the radius policy that the options name, and the method or start of the name.
+/// returns the radius policy in the options, and the method or initial map with a name.
 Chosen_radius chosen_radius(const Options& options);
 Chosen_parameterizer chosen_parameterizer(const Options& options, Input_mesh& input, const std::string& name);
 
-/// returns the largest number of sweeps or global steps.
+/// returns the maximum number of sweeps or global steps.
 std::size_t number_of_iterations(const Options& options, const Mesh& mesh);
 
 [[noreturn]] void fail_run(SP::Error_code error, Input_mesh& input, const Options& options);
 
-/// maps the mesh by a parameterizer. Whatever the options are, this is one function for it.
+/// maps the mesh by a parameterizer.
 template <class Parameterizer>
 Run_result run_parameterizer(Parameterizer&& parameterizer, const Options& options, Input_mesh& input,
                              const Sphere_map& sphere)
 {
   std::optional<Interrupt_guard> guard;
-  if(!options.is_batch()) // which has one for all
+  if(!options.is_batch()) // a batch has one for all
     guard.emplace();
   Progress_visitor visitor(!options.has("quiet") && !options.is_batch());
   const SP::Error_code error = SP::parameterize(input.mesh(), parameterizer, sphere,
@@ -96,7 +96,7 @@ Run_result run_parameterizer(Parameterizer&& parameterizer, const Options& optio
   return {parameterizer.report(), visitor.history(), error == SP::OK};
 }
 
-/// calls `run()` with the energy that the options name.
+/// calls `run()` with the energy in the options.
 template <class Run>
 Run_result run_with_energy(const Options& options, const Run& run)
 {

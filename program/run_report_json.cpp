@@ -6,7 +6,7 @@ namespace Program {
 
 namespace {
 
-// With the number and the ratio of each vertex that is off, the place where areas could not be had.
+// With the index and the area ratio of each vertex whose prescribed area is missed.
 Json json_of(const SP::Area_report& areas)
 {
   std::vector<std::size_t> vertices;
@@ -64,8 +64,8 @@ Json json_of(const Run_report::Match_figures& match, const Options& options)
   return all;
 }
 
-// What a surface was repaired by, in the order in which it is done.
-Json json_of(const Surface_repair& repair)
+// The steps of a repair in their order.
+Json json_of(const Repair_step& repair)
 {
   const SP::Repair_report& r = repair.report();
   std::vector<Json> patches;
@@ -121,8 +121,8 @@ Json Run_report::statistics(SP::Distortion_statistics SP::Distortion_summary::*o
     return json_of((balanced ? *balanced : distortion).*of_sphere);
   const SP::Distortion_between::Statistics& of = (*match->distortion).*of_surfaces;
   return {{"maximum", of.maximum},
-          {"average over the first", of.average_over_first},
-          {"average over the second", of.average_over_second}};
+          {"average over the left surface", of.average_over_first},
+          {"average over the right surface", of.average_over_second}};
 }
 
 Json Run_report::summary() const
@@ -132,10 +132,19 @@ Json Run_report::summary() const
                 {"Method", m_options.description},
                 {"Radius", fixed_text(run.radius, 10, false)}};
   if(match)
+  {
     texts.add("Mapped onto", printable(name_of(path_of(match->other).filename())) + ": " +
                                  std::to_string(match->number_of_vertices) + " vertices");
+    if(match->report.agreement != 0.)
+      texts.add("Alignment", "by features, agreement " + fixed_text(match->report.agreement, 3) + ", margin " +
+                                 fixed_text(match->report.margin, 3) +
+                                 (match->report.is_uncertain ? ": ambiguous" : ""));
+    if(match->report.expected_error)
+      texts.add("Expected error", fixed_text(*match->report.expected_error, 3) +
+                                      " on average, relative to the square root of the area of the right surface");
+  }
   else if(balanced)
-    texts.add("Radius of the distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");
+    texts.add("Radius for distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");
   return texts.add("Seconds", fixed_text(seconds(), 2)).add("Program", program_version());
 }
 
@@ -176,7 +185,7 @@ std::string Run_report::json() const
   if(component)
   {
     all.add("component", component->index + 1).add("components", component->sizes->size());
-    if(component->index == 0) // of many parts, not each report names all
+    if(component->index == 0) // only the first report of many parts lists all
       all.add("faces_of_components", *component->sizes);
   }
   if(repair != nullptr)
@@ -210,7 +219,7 @@ std::string Run_report::json() const
   if(sphere_checksum)
     all.add("sphere_bytes", sphere_checksum->bytes).add("sphere_crc32", sphere_checksum->crc.checksum());
   std::string text = all.add("files", files).text();
-  text.erase(text.rfind('\n')); // the end of the object
+  text.erase(text.rfind('\n')); // without the end of the object
   return sealed(text);
 }
 
@@ -225,13 +234,14 @@ void Run_report::print_areas(std::ostream& out) const
 {
   const SP::Area_report& areas = *result.areas;
   const auto percent = [](double x) { return fixed_text(100. * x, 2, false) + " %"; };
-  out << "Areas of cells over what was wanted: deviation " << percent(areas.deviation) << ", "
-      << percent(areas.largest_deviation) << " at most; " << areas.number_of_off_vertices << " of "
-      << result.report.number_of_vertices << " vertices are off by more than 1 %"
-      << (areas.is_reached() ? "" : ": not all areas could be had") << '\n';
+  out << "Areas of cells relative to the prescribed areas: deviation " << percent(areas.deviation) << ", maximum "
+      << percent(areas.largest_deviation) << "; " << areas.number_of_off_vertices << " of "
+      << result.report.number_of_vertices << " vertices differ by more than 1 %"
+      << (areas.is_reached() ? "" : ": not all areas could be reached") << '\n';
   if(areas.number_of_raised_faces > 0)
-    out << "A millionth of the mean area was wanted for " << areas.number_of_raised_faces
-        << (areas.number_of_raised_faces == 1 ? " face that has" : " faces that have") << " less\n";
+    out << "The prescribed area of " << areas.number_of_raised_faces
+        << (areas.number_of_raised_faces == 1 ? " face was" : " faces was")
+        << " raised to a millionth of the mean area\n";
 }
 
 } // namespace Program

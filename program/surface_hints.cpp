@@ -15,8 +15,8 @@ namespace {
 
 constexpr const char* from_0 = ". (Vertices are counted from 0.)";
 
-// Compared by their values and with the weight 2, they have areas of the cortex agree best by a probabilistic atlas, on two pairs of
-// human hemispheres; see the manual.
+// With these features, compared by values with the weight 2, cortical areas of a probabilistic atlas agree best on two pairs of human
+// hemispheres; see the manual.
 constexpr const char* features_of_cortex = "depth,inflated";
 
 unsigned int measure_named(const std::string& name)
@@ -38,10 +38,10 @@ File_content read_features_of(const std::string& list, const Input_mesh& input)
     if(const SP::Error_code error =
            SP::compute_sulcal_measures(input.mesh(), measures, CGAL::parameters::default_values(), selection);
        error != SP::OK)
-      throw error_in(list, "cannot be measured. ", SP::get_error_message(error));
+      throw error_in(list, "the features cannot be computed. ", SP::get_error_message(error));
   return read_values(list, [&](const std::string& name) {
     if(!is_among(name, own_feature_names))
-      return input.carried(read_file_of_values(name));
+      return input.transferred(read_file_of_values(name));
     const unsigned int measure = measure_named(name);
     std::vector<double> values = measure == SP::Sulcal_measures::CURVATURE ? measures.curvature
                                  : measure == SP::Sulcal_measures::DEPTH   ? measures.depth
@@ -75,7 +75,7 @@ public:
     if(first.size() != second.size())
       throw error_in(names[1], "has ", second.size(), " landmarks, but ", printable(names[0]), " has ", first.size());
     if(first.empty())
-      throw error_in(names[0], "has no landmark");
+      throw error_in(names[0], "has no landmarks");
     for(std::size_t k = 0; k < first.size(); ++k)
     {
       hints.landmarks.emplace_back(first[k].vertex, second[k].vertex);
@@ -84,7 +84,7 @@ public:
     }
   }
 
-  // Patches do not count.
+  // Features are not compared on hole patches.
   void read_masks(const Words& names)
   {
     for(std::size_t k = 0; k < 2; ++k)
@@ -102,13 +102,13 @@ public:
       {
         const std::vector<std::size_t>& sources = m_inputs[k]->repair()->source_vertices();
         for(std::size_t v = 0; v < sources.size(); ++v)
-          hints.masks[k][v] = hints.masks[k][v] != 0 && sources[v] != Surface_repair::none;
+          hints.masks[k][v] = hints.masks[k][v] != 0 && sources[v] != Repair_step::none;
       }
     }
   }
 
-  // Reads the features of both surfaces, and takes those that these have themselves.
-  void read_features(const Words& names, std::map<std::string, double> wanted)
+  // Reads or computes the features of both surfaces.
+  void read_features(const Words& names, std::map<std::string, double> weights)
   {
     std::array<File_content, 2> soups;
     for(std::size_t k = 0; k < 2; ++k)
@@ -118,12 +118,11 @@ public:
     }
     if(soups[0].points.empty() && soups[1].points.empty())
     {
-      // The names that files of cortical surfaces have often name the subject.
+      // File names of cortical surfaces often contain the subject.
       const std::vector<Values>& first = soups[0].values_of_vertices;
       std::vector<Values>& second = soups[1].values_of_vertices;
       if(second.size() != first.size())
-        throw error_in(names[1], "has ", second.size(), " of the features, but ", printable(names[0]), " has ",
-                       first.size());
+        throw error_in(names[1], "has ", second.size(), " features, but ", printable(names[0]), " has ", first.size());
       for(std::size_t k = 0; k < first.size(); ++k)
         second[k].name = first[k].name;
     }
@@ -134,29 +133,29 @@ public:
     for(std::size_t k = 0; k < 2; ++k)
       for(const auto& pair : features[k].values)
         if(features[1 - k].values.count(pair.first) == 0)
-          features[k].left_out.push_back("the property '" + printable(pair.first) + "' of the vertices, which " +
-                                         printable(names[1 - k]) + " has not");
+          features[k].left_out.push_back("the vertex property '" + printable(pair.first) + "', which is missing in " +
+                                         printable(names[1 - k]));
     for(auto& [name, values] : features[0].values)
       if(const auto other = features[1].values.find(name); other != features[1].values.end())
       {
         check_feature(names[0], name, values);
         check_feature(names[1], name, other->second);
-        const double weight = wanted.count(name) > 0 ? wanted[name] : 1.;
-        wanted.erase(name);
+        const double weight = weights.count(name) > 0 ? weights[name] : 1.;
+        weights.erase(name);
         hints.features.push_back({{std::move(values), std::move(other->second)}, weight});
       }
     if(hints.features.empty())
-      throw error_in(names[1], "has no property of vertices, of type float or double, that has the name of one in ",
+      throw error_in(names[1], "has no vertex property of type float or double with the name of a property in ",
                      printable(names[0]));
     for(std::size_t k = 0; k < 2; ++k)
       for(const std::string& what : features[k].left_out)
         hints.warnings += printable(names[k]) + ": not compared: " + what + '\n';
-    if(!wanted.empty())
-      throw error_in(names[0], "has no feature of the name '", printable(wanted.begin()->first),
-                     "' of --feature-weights that is compared");
+    if(!weights.empty())
+      throw error_in(names[0], "has no compared feature '", printable(weights.begin()->first),
+                     "', which is in --feature-weights");
     const auto is_of_no_weight = [](const Surface_hints::Feature& feature) { return feature.weight == 0.; };
     if(std::all_of(hints.features.begin(), hints.features.end(), is_of_no_weight))
-      throw error_in(names[0], "has no feature left: all of --feature-weights are 0");
+      throw error_in(names[0], "all features have the weight 0 in --feature-weights");
   }
 
   std::string warning_of_hemispheres() const { return mixed_hemispheres(m_hemispheres); }
@@ -168,11 +167,10 @@ private:
   {
     const auto [least, largest] = std::minmax_element(values.begin(), values.end());
     if(*least == *largest)
-      throw error_in(file, "the property ", printable(name),
-                     " is the same for all vertices, so that it tells no places apart");
+      throw error_in(file, "the property ", printable(name), " is constant, so that it cannot align the surfaces");
   }
 
-  // Takes a mask of the vertices of the mesh or of its file.
+  // Returns the mask of the mesh from a mask of its vertices or of those of its file.
   static std::vector<char> mask_for(const Input_mesh& input, const File_content& content)
   {
     const std::size_t n = input.mesh().number_of_vertices(), n_of_file = input.number_of_vertices_of_file();
@@ -182,7 +180,7 @@ private:
     const std::vector<char> of_file = mask_of(content, n_of_file);
     std::vector<char> result;
     for(const std::size_t source : input.repair()->source_vertices())
-      result.push_back(source == Surface_repair::none ? 0 : of_file[source]);
+      result.push_back(source == Repair_step::none ? 0 : of_file[source]);
     return result;
   }
 
@@ -202,17 +200,17 @@ std::vector<Landmark> parse_landmarks(std::string content, const Input_mesh& inp
   {
     const std::string_view word = in.read_word();
     if(word.find_first_not_of("0123456789") != word.npos)
-      in.fail(Text_scanner::quoted(word), " is no number of a vertex. (Vertices are counted from 0.)");
+      in.fail(Text_scanner::quoted(word), " is not a vertex index. (Vertices are counted from 0.)");
     std::size_t v = 0;
     for(const char c : word)
       v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
     if(v >= n)
-      in.fail("the mesh has no vertex ", Text_scanner::quoted(word), ", but those from 0 to ", n - 1);
+      in.fail("the mesh has no vertex ", Text_scanner::quoted(word), ": its vertices are 0 to ", n - 1);
     const Vertex_index vertex = input.vertex_of(v);
     if(vertex == Mesh::null_vertex())
-      in.fail("vertex ", v, " has no face", input.repair() ? " that the repair has left" : "");
+      in.fail("vertex ", v, " has no face", input.repair() ? " after the repair" : "");
     if(!lines.emplace(vertex, in.line_number()).second)
-      in.fail("vertex ", v, " is a landmark already, in line ", lines[vertex]);
+      in.fail("vertex ", v, " is already a landmark, in line ", lines[vertex]);
     result.push_back({in.line_number(), vertex});
   }
   return result;
@@ -221,15 +219,15 @@ std::vector<Landmark> parse_landmarks(std::string content, const Input_mesh& inp
 File_features features_of(File_content soup, std::size_t n_vertices)
 {
   if(soup.number_of_vertices() != n_vertices)
-    throw Program_error("has no features for the mesh: it has ", soup.number_of_vertices(), " vertices, the mesh has ",
-                        n_vertices);
+    throw Program_error("does not match the mesh: it has values of ", soup.number_of_vertices(),
+                        " vertices, the mesh has ", n_vertices);
   File_features result;
   result.left_out = std::move(soup.left_out);
   for(Values& values : soup.values_of_vertices)
   {
-    const std::string name = "the property '" + printable(values.name) + "' of the vertices";
+    const std::string name = "the vertex property '" + printable(values.name) + "'";
     if(is_among(values.name, {"nx", "ny", "nz"}))
-      result.left_out.push_back(name + ", as normals turn with the surface");
+      result.left_out.push_back(name + ", because normals are not invariant under rotation");
     else if(!values.has_fractions())
       result.left_out.push_back(name + ", whose type is neither float nor double");
     else
@@ -242,31 +240,31 @@ File_features features_of(File_content soup, std::size_t n_vertices)
     }
   }
   for(const Values& values : soup.values_of_faces)
-    result.left_out.push_back("the property '" + printable(values.name) + "' of the faces");
+    result.left_out.push_back("the face property '" + printable(values.name) + "'");
   return result;
 }
 
 std::vector<char> mask_of(const File_content& soup, std::size_t n_vertices)
 {
   if(soup.values_of_vertices.size() != 1)
-    throw Program_error("is no mask: it has ", soup.values_of_vertices.size(),
-                        " values for each vertex, not one, which is 0 where the surface does not count");
+    throw Program_error("is not a mask: it has ", soup.values_of_vertices.size(),
+                        " values per vertex, but a mask has one, which is 0 for excluded vertices");
   const std::vector<double>& numbers = soup.values_of_vertices.front().numbers;
   if(soup.vertices.empty() && numbers.size() != n_vertices)
-    throw Program_error("is no mask for the mesh: it has ", numbers.size(), " vertices, the mesh has ", n_vertices);
+    throw Program_error("is not a mask of the mesh: it has ", numbers.size(), " vertices, the mesh has ", n_vertices);
   std::vector<char> result(n_vertices, 0);
   for(std::size_t i = 0; i < numbers.size(); ++i)
   {
     const std::size_t v = soup.vertices.empty() ? i : soup.vertices[i];
     if(v >= n_vertices)
-      throw Program_error("is no mask for the mesh: it has a vertex ", v, ", the mesh has ", n_vertices, " vertices",
+      throw Program_error("is not a mask of the mesh: it has a vertex ", v, ", the mesh has ", n_vertices, " vertices",
                           from_0);
     if(numbers[i] != numbers[i])
-      throw Program_error("is no mask: vertex ", v, " has a value that is not a number", from_0);
+      throw Program_error("is not a mask: vertex ", v, " has a value that is not a number", from_0);
     result[v] = numbers[i] != 0.;
   }
   if(std::find(result.begin(), result.end(), 1) == result.end())
-    throw Program_error("is 0 for all vertices: nothing of the surface counts");
+    throw Program_error("is 0 for all vertices: the mask excludes the whole surface");
   return result;
 }
 

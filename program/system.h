@@ -11,42 +11,40 @@
 
 namespace Program {
 
-// What POSIX and Windows have different functions for. All else goes through the standard library. The names of files are UTF-8 on
-// every system, and bytes are written as they are.
+// Functions that differ between POSIX and Windows. File names are UTF-8 on every system, and bytes are written unchanged.
 
-/// makes standard streams and signals alike, and returns the words of the command line behind the name of the program.
+/// prepares standard streams and signals, and returns the words of the command line after the name of the program.
 Words start_process(int argc, char** argv);
 
-/// The signal of a terminal that is closed.
+/// The signal that a closed terminal sends.
 #ifdef _WIN32
 constexpr int signal_of_hangup = SIGBREAK;
 #else
 constexpr int signal_of_hangup = SIGHUP;
 #endif
 
-/// returns whether the standard error stream is shown at once to somebody.
+/// returns whether the standard error stream is a terminal.
 bool has_terminal();
 
-/// returns what this computer is called, and where its processes have numbers of their own: a folder may be shared with other
-/// computers and containers.
+/// returns a name of this computer and its process namespace: a folder may be shared with other computers and containers.
 std::string name_of_computer();
 
 std::int64_t number_of_process();
 bool is_running(std::int64_t process);
 
-/// returns whether the user may write to a file that is there; sets `errno`.
+/// returns whether the user may write to an existing file; sets `errno`.
 bool is_writable(const std::filesystem::path& path);
 
-/// opens a file, which must not be there if it is to be new, not even as a link; returns null and sets `errno` if that fails.
+/// opens a file for writing; a new file must not exist, not even as a link. Returns null and sets `errno` on failure.
 std::FILE* open_to_write(const std::filesystem::path& path, bool is_new);
 
-/// gives a file another name, and replaces the file that has it.
+/// renames a file and replaces an existing one.
 void rename_file(const std::filesystem::path& path, const std::filesystem::path& new_path, std::error_code& error);
 
-/// gives an open file the permissions of another one, where the file system has them.
+/// sets the permissions of an open file, if the file system supports them.
 void set_permissions(std::FILE* file, std::filesystem::perms permissions);
 
-/// As long as it lives, no other run has such a lock on the folder. Where the file system has no locks, there is none.
+/// Locks a folder against other runs during its lifetime. Has no effect on file systems without locks.
 class Folder_lock
 {
 public:

@@ -15,11 +15,11 @@ namespace Program {
 
 Words start_process(int argc, char** argv)
 {
-  // What is written to a standard stream that is closed would go to the file that is opened next. Now it fails.
+  // Without this, output to a closed standard stream would go to the next opened file.
   for(const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if(fcntl(stream, F_GETFD) == -1)
       open("/dev/null", O_RDONLY);
-  // a file that grows larger than permitted, or a pipe that nobody reads any more, cannot be written: an error as others
+  // a file that exceeds its size limit, and a pipe without a reader, cause ordinary write errors
   for(const int signal : {SIGXFSZ, SIGPIPE})
     std::signal(signal, SIG_IGN);
   return Words(argv + (std::min)(argc, 1), argv + argc);
@@ -67,13 +67,13 @@ void rename_file(const std::filesystem::path& path, const std::filesystem::path&
 
 void set_permissions(std::FILE* file, std::filesystem::perms permissions)
 {
-  fchmod(fileno(file), static_cast<mode_t>(permissions)); // some file systems have none
+  fchmod(fileno(file), static_cast<mode_t>(permissions)); // some file systems have no permissions
 }
 
 Folder_lock::Folder_lock(const std::filesystem::path& folder)
   : m_path(folder / ".spherical_parameterization.lock")
 {
-  constexpr int max_attempts = 1000; // where files have no lasting numbers
+  constexpr int max_attempts = 1000; // on file systems without persistent inode numbers
   for(int k = 0; k < max_attempts; ++k)
   {
     const int file = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -84,7 +84,7 @@ Folder_lock::Folder_lock(const std::filesystem::path& folder)
     if(fstat(file, &locked) == 0 && lstat(m_path.c_str(), &named) == 0 && locked.st_dev == named.st_dev &&
        locked.st_ino == named.st_ino)
       return;
-    close(file); // who had the lock has removed the file
+    close(file); // the previous owner of the lock has removed the file
     m_file = -1;
   }
 }

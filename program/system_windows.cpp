@@ -83,7 +83,7 @@ std::FILE* open_to_write(const std::filesystem::path& path, bool is_new)
   return file == -1 ? nullptr : _fdopen(file, "wb");
 }
 
-// A file that somebody reads cannot be replaced.
+// A file that another process reads cannot be replaced.
 void rename_file(const std::filesystem::path& path, const std::filesystem::path& new_path, std::error_code& error)
 {
   constexpr DWORD pause = 10; // milliseconds
@@ -96,14 +96,15 @@ void rename_file(const std::filesystem::path& path, const std::filesystem::path&
   }
 }
 
-void set_permissions(std::FILE*, std::filesystem::perms) {} // which files inherit from their folder
+void set_permissions(std::FILE*, std::filesystem::perms) {} // files inherit permissions from their folder
 
-// Nobody else can open the file as long as it is open, and it goes as it is closed, whatever ends the process.
+// No other process can open the file while it is open; it is deleted when it is closed, however the process ends.
 Folder_lock::Folder_lock(const std::filesystem::path& folder)
   : m_path(folder / ".spherical_parameterization.lock")
 {
-  constexpr DWORD pause = 10;     // milliseconds
-  constexpr int max_denied = 100; // while it goes, access is denied, and for ever where the user may not write
+  constexpr DWORD pause = 10; // milliseconds
+  constexpr int max_denied =
+      100; // access is denied while the file is being deleted, and always without write permission
   for(int n_denied = 0; n_denied < max_denied; Sleep(pause))
   {
     const HANDLE file = CreateFileW(m_path.c_str(), GENERIC_READ | GENERIC_WRITE | DELETE, 0, nullptr, OPEN_ALWAYS,

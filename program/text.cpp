@@ -34,7 +34,7 @@ std::string name_of(const std::filesystem::path& path)
 
 std::string message_of(const std::exception& error)
 {
-  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "the memory does not suffice" : error.what();
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "not enough memory" : error.what();
 }
 
 bool is_among(const std::string& word, const Words& words)

@@ -1,4 +1,4 @@
-#include "Surface_repair.h"
+#include "Repair_step.h"
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
@@ -16,7 +16,7 @@ namespace Program {
 File_content wrapping_of(const File_content& surface, double alpha)
 {
   using Wrap_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  constexpr double offsets_per_alpha = 30.; // as the examples of CGAL have it
+  constexpr double offsets_per_alpha = 30.; // the ratio in the examples of CGAL
   std::vector<Wrap_kernel::Point_3> points;
   CGAL::Bbox_3 box;
   for(const Point_3& p : surface.points)
@@ -26,7 +26,7 @@ File_content wrapping_of(const File_content& surface, double alpha)
   {
     for(const std::size_t v : polygon)
       box += surface.points[v].bbox();
-    for(std::size_t k = 2; k < polygon.size(); ++k) // whether a polygon is flat does not matter to a wrapping
+    for(std::size_t k = 2; k < polygon.size(); ++k) // wrapping also accepts polygons that are not planar
       if(std::array<std::size_t, 3> t = {polygon[0], polygon[k - 1], polygon[k]};
          !CGAL::collinear(points[t[0]], points[t[1]], points[t[2]]))
         triangles.push_back(t);
@@ -35,8 +35,7 @@ File_content wrapping_of(const File_content& surface, double alpha)
                                                          (box.max)(2) - (box.min)(2));
   if(triangles.empty() || !std::isfinite(length))
     throw Program_error(
-        "the surface cannot be wrapped: it has no triangle that is more than a line, or its coordinates "
-        "are too large");
+        "the surface cannot be wrapped: all its triangles are degenerate, or its coordinates are too large");
   CGAL::Surface_mesh<Wrap_kernel::Point_3> wrapping;
   CGAL::alpha_wrap_3(points, triangles, length, length / offsets_per_alpha, wrapping);
   File_content result;

@@ -24,15 +24,15 @@ namespace Program {
 
 namespace {
 
-// Returns a colour for `t` in [0, 1], from dark violet to light yellow, as red, green and blue in [0, 255].
+// Returns a color for `t` in [0, 1], from dark violet to light yellow, as red, green and blue in [0, 255].
 //
-// Equal steps of `t` look alike: the lightness grows evenly in Oklab, Ottosson's perceptually uniform space, while the hue turns
-// through blue and green, so that the order is visible on a grey print and with colour blindness.
+// Equal steps of `t` look equal: the lightness increases linearly in Oklab, Ottosson's perceptually uniform space, while the hue changes
+// from violet over blue and green to yellow, so that the order is visible in grey and with color blindness.
 std::array<int, 3> color_of(double t)
 {
   constexpr double first_lightness = 0.3, last_lightness = 0.93;
   constexpr double first_hue = 5.2, last_hue = 1.85;       // in radians
-  constexpr double first_chroma = 0.1, last_chroma = 0.16; // all that sRGB holds along this way
+  constexpr double first_chroma = 0.1, last_chroma = 0.16; // the limits of sRGB along this path
 
   t = (std::min)((std::max)(t, 0.), 1.);
   const double lightness = first_lightness + t * (last_lightness - first_lightness);
@@ -59,8 +59,8 @@ std::array<int, 3> color_of(double t)
   return rgb;
 }
 
-// Writes an OFF or OBJ file. Coordinates have as many digits as give the same number again, and no stream is asked for each of them,
-// which would take most of the time.
+// Writes an OFF or OBJ file. Coordinates have the shortest text from which the same number is read again. Numbers are not written by the
+// stream, which would take most of the time.
 void write_text(std::ostream& out, bool is_off, const std::vector<Point_3>& points,
                 const std::vector<Polygon>& polygons)
 {
@@ -113,16 +113,16 @@ void write_surface_file(std::ostream& out, const std::string& format, const SP::
 #ifdef PROGRAM_READS_MGH
     error = SP::IO::write_MGH(out, file, message, format == ".mgz");
 #else
-    throw Program_error("this program was built without zlib, which MGH files take");
+    throw Program_error("this program was built without zlib, which MGH files need");
 #endif
 #ifdef PROGRAM_READS_GIFTI
   else
     error = SP::IO::write_GIFTI(out, file, message, format == ".gii.gz");
 #else
   else
-    throw Program_error("this program was built without expat and zlib, which GIFTI files take");
+    throw Program_error("this program was built without expat and zlib, which GIFTI files need");
 #endif
-  if(error != SP::OK && error != SP::ERROR_CANNOT_WRITE_FILE) // of which the stream tells
+  if(error != SP::OK && error != SP::ERROR_CANNOT_WRITE_FILE) // the stream reports that
     throw Program_error(message);
 }
 
@@ -138,11 +138,11 @@ SP::IO::Surface_origin inherited(SP::IO::Surface_origin origin, bool is_sphere)
     origin.metadata_of_points.emplace_back(name, value);
   };
   for(SP::IO::Metadata* metadata : {&origin.metadata, &origin.metadata_of_points, &origin.metadata_of_triangles})
-    remove(*metadata, "UniqueID"); // it is that of the other one
+    remove(*metadata, "UniqueID"); // it identifies the other surface
   set("TopologicalType", "Closed");
   if(is_sphere)
   {
-    remove(origin.metadata_of_points, "AnatomicalStructureSecondary"); // which layer it is
+    remove(origin.metadata_of_points, "AnatomicalStructureSecondary"); // the cortical layer
     set("GeometricType", "Spherical");
   }
   return origin;
@@ -171,18 +171,18 @@ void write_mesh(std::ostream& out, const std::string& format, const std::vector<
   }
 }
 
-void turn_to_surface(Input_mesh& input, const Sphere_map& sphere)
+void rotate_sphere_to_surface(Input_mesh& input, const Sphere_map& sphere)
 {
   if(SP::rotate_to_surface(input.mesh(), sphere) == SP::ERROR_INSUFFICIENT_PRECISION)
-    throw error_in(input.name(), "the sphere cannot be turned: its smallest faces fold by rounding.\n--convention none "
-                                 "leaves it as it is.");
+    throw error_in(input.name(), "the sphere cannot be rotated: rounding would invert its smallest faces.\n"
+                                 "--convention none keeps its pose.");
 }
 
 void write_sphere(std::ostream& out, const std::string& path, const std::string& format, Input_mesh& input,
                   const Sphere_map& map, std::optional<double> radius)
 {
   Sphere_map written = map;
-  constexpr double least = 1e-30, largest = 1e38; // of a radius; even small coordinates have all digits then
+  constexpr double least = 1e-30, largest = 1e38; // radii for which even small coordinates have full precision
   double written_radius = 0.;
   if(radius || is_cortical(format))
   {
@@ -199,17 +199,16 @@ void write_sphere(std::ostream& out, const std::string& path, const std::string&
     const bool is_held =
         is_cortical(format) ? SP::round_to_float(mesh, written, written) == SP::OK : SP::is_bijective(mesh, written);
     if(!is_held && is_cortical(format) && !(written_radius >= least && written_radius <= largest))
-      throw error_in(path, "cannot hold a sphere of the radius ", written_radius,
-                     ", as the numbers of this format have 32 bits.\n"
-                     "--radius fixed=R has to be from ",
-                     least, " to ", largest, "; or write a .off or .ply file.");
+      throw error_in(path, "cannot store a sphere of the radius ", written_radius,
+                     " in the single precision of this format.\nUse --radius fixed=R with R from ", least, " to ",
+                     largest, ", or write a .off or .ply file.");
     if(!is_held && SP::is_bijective(mesh, map))
       throw error_in(path, is_cortical(format)
-                               ? "cannot hold the map: large parts of the surface have less room on the sphere than "
-                                 "the numbers of 32 bits of this format tell apart.\nWrite a .off or .ply file, "
-                                 "which have 64."
-                               : "cannot hold the map with another radius: its smallest faces fold by rounding.\n"
-                                 "--convention none leaves it as it is.");
+                               ? "cannot store the map: on the sphere, large parts of the surface are smaller than "
+                                 "the resolution of the single precision of this format.\nWrite a .off or .ply file, "
+                                 "which have double precision."
+                               : "cannot store the map with another radius: rounding would invert its smallest faces.\n"
+                                 "--convention none keeps the radius.");
   }
   write_mesh(out, format, {written.begin(), written.end()}, input.triangles(), inherited(input.origin(), true));
 }
@@ -245,7 +244,7 @@ void write_colored_mesh(std::ostream& out, const std::vector<Point_3>& points, c
                         const Colored_distortion& distortion)
 {
   constexpr int digits_of_points = 17, digits_of_values = 6;
-  constexpr std::array<int, 3> grey = {128, 128, 128}; // of vertices without a distortion
+  constexpr std::array<int, 3> grey = {128, 128, 128}; // of vertices without distortion
   const auto [min, max] = distortion.range;
   out << "ply\nformat ascii 1.0\nelement vertex " << points.size()
       << "\nproperty double x\nproperty double y\nproperty double z"

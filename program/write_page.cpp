@@ -10,7 +10,7 @@ namespace Program {
 
 namespace {
 
-// The lowest byte of a number comes first, as browsers have it.
+// Numbers are little-endian, as in browsers.
 template <class Number>
 std::string element_of(const std::string& id, const std::vector<Number>& numbers)
 {
@@ -31,7 +31,7 @@ std::string element_of(const std::string& id, const std::vector<Number>& numbers
 std::string facts(const Page& page)
 {
   const auto side = [](const Page::Side& of) {
-    return Json{{"title", of.title}, {"centre", of.centre}, {"scale", of.scale}, {"rotation", of.rotation}};
+    return Json{{"title", of.title}, {"center", of.center}, {"scale", of.scale}, {"rotation", of.rotation}};
   };
   return Json{{"vertices", page.left.points.size()},
               {"left", side(page.left)},
@@ -45,11 +45,12 @@ std::string facts(const Page& page)
               {"classes", page.classes},
               {"one_to_one", page.is_one_to_one},
               {"certificate", page.verdict},
+              {"warning", page.warning},
               {"summary", page.summary}}
       .text();
 }
 
-// A text in JSON is the same with this; HTML would end or change the script at a tag.
+// Escapes < in JSON, because a tag would end or change the script element of HTML.
 std::string without_tags(const std::string& json)
 {
   std::string result;
@@ -78,22 +79,22 @@ void write_side(std::ostream& out, const std::string& id, const Page::Side& side
 
 } // namespace
 
-void Page::add_measure(const std::string& name, const std::string& meaning, double minimum, const Json& statistics,
-                       const std::vector<float>& values)
+void Page::add_measure(const std::string& name, const std::string& title, const std::string& meaning, double minimum,
+                       const Json& statistics, const std::vector<float>& values)
 {
-  measures.add(name, {{"meaning", meaning}, {"minimum", minimum}, {"statistics", statistics}});
+  measures.add(name, {{"title", title}, {"meaning", meaning}, {"minimum", minimum}, {"statistics", statistics}});
   arrays += element_of(name, values);
 }
 
-void Page::add_classes(const std::string& name, const std::string& meaning, const std::vector<Class>& names,
-                       const std::vector<std::uint16_t>& values)
+void Page::add_classes(const std::string& name, const std::string& title, const std::string& meaning,
+                       const std::vector<Class>& names, const std::vector<std::uint16_t>& values)
 {
   std::vector<Json> all;
   for(const Class& one : names)
     all.push_back({{"name", one.name}, {"colour", one.colour}});
-  classes.add(name, {{"meaning", meaning}, {"classes", all}});
+  classes.add(name, {{"title", title}, {"meaning", meaning}, {"classes", all}});
   std::vector<std::uint16_t> of_faces = values;
-  if(has_numbers) // what is shown are parts of the faces of the first one of two surfaces
+  if(has_numbers) // the drawn faces are parts of the faces of the first surface
   {
     of_faces.clear();
     for(const std::uint32_t f : left.faces)
@@ -109,7 +110,7 @@ void check_pages()
     throw Program_error(page_fault);
 #else
   throw Program_error(
-      "this program was built without the page of --page.\nInstall Node.js and npm, and build it again.");
+      "this program was built without support for pages.\nInstall Node.js and npm, and build it again.");
 #endif
 }
 
@@ -127,7 +128,7 @@ void write_page([[maybe_unused]] std::ostream& out, [[maybe_unused]] const Page&
     out << element_of("corners", corners);
   write_side(out, "left", page.left, page.has_numbers);
   write_side(out, "right", page.right, page.has_numbers);
-  out << page.arrays << element_of("folded", page.folded);
+  out << page.arrays << element_of("inverted", page.inverted);
   write_pieces(out, page_tail);
 #endif
 }

@@ -1,4 +1,4 @@
-// The core of the package, but for the descents.
+// The core of the package, except for the descents.
 
 #include <CGAL/Spherical_parameterization/internal/certificate/Orientation_about_origin_3_impl.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel_impl.h>

@@ -1,4 +1,4 @@
-// The descents by the energies of the package: together, as what does not depend on the energy is compiled once.
+// The descents for the energies of the package. They share a file so that code independent of the energy is compiled once.
 
 #include <CGAL/Spherical_parameterization/internal/run/run_descent_impl.h>
 

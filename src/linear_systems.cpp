@@ -1,5 +1,5 @@
-// What solves linear systems, for which Eigen chooses the order of elimination: the steps to prescribed areas, by the energies of the
-// package, and the methods without the descent, by the default solver.
+// Code that solves linear systems with an elimination order from Eigen: the steps to prescribed areas for the energies
+// of the package, and the methods without a descent for the default solver.
 
 #include <CGAL/Spherical_parameterization/internal/areas/Area_descent.h>
 #include <CGAL/Spherical_parameterization/internal/initializers/ARAP_map.h>

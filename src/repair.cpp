@@ -1,4 +1,4 @@
-// The repair of surfaces, but for what works with the caller's meshes.
+// The repair of surfaces, except for code that depends on the caller's mesh types.
 
 #include <CGAL/Spherical_parameterization/Repair/internal/fill_holes_impl.h>
 #include <CGAL/Spherical_parameterization/Repair/internal/find_handles_impl.h>

@@ -1,3 +1,3 @@
-// What samples a surface through its sphere, but for what works with the caller's meshes and number types.
+// Sampling of surfaces through spheres, except for code that depends on the caller's mesh and number types.
 
 #include <CGAL/Spherical_parameterization/Sampling/internal/sampling_impl.h>

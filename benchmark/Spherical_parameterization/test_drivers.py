@@ -91,7 +91,7 @@ class Judge(unittest.TestCase):
             self.assertRaises(MeshError, map_between, mesh, sphere)
 
     def test_exact_signs(self):
-        """A vertex on an edge, or as little beside it as doubles can tell."""
+        """A vertex on an edge, or as little beside it as doubles can distinguish."""
         shear = np.array([[1.0, 3.0, 7.0], [0.0, 1.0, 5.0], [0.0, 0.0, 1.0]])  # no sign changes, but much cancels
         for z, number_folded in ((0.0, 4), (5e-324, 0), (-5e-324, 4), (2.0**-50, 0), (-(2.0**-50), 4)):
             sphere = octahedron((0.5, 0.5, z))

@@ -15,7 +15,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 
 int main(int argc, char** argv)
 {
-  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/hand.off");
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/bunny00.off");
 
   Mesh mesh;
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
@@ -24,15 +24,13 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // From the lowest average to the lowest maximum.
+  // Sharpness values from the lowest average distortion to the lowest maximum distortion
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   for(const double beta : {0., 3., 20., 40.})
   {
-    auto parameterizer = SP::Bijective_low_distortion_parameterizer_3()
-                             .sharpness(SP::Sharpness::relative(beta))
-                             .radius(SP::Optimal_radius_3());
+    auto parameterizer = SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::relative(beta));
     SP::Distortion_summary distortion;
-    SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere, CGAL::parameters::number_of_iterations(300));
+    SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
     if(error == SP::OK)
       error = SP::measure_distortion(mesh, sphere, distortion);
     if(error != SP::OK)

@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // from white, an isometry, to dark red: four deviations above the average, or infinite
+  // Colors from white (isometry) to dark red (at least four standard deviations above the average, or infinite)
   const double largest = summary.isometric.average + 4. * summary.isometric.deviation;
   auto color = mesh.add_property_map<Mesh::Face_index, Color>("f:color").first;
   for(const Mesh::Face_index f : mesh.faces())

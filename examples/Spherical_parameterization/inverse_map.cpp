@@ -30,7 +30,7 @@ int main(int argc, char** argv)
   if(SP::parameterize(mesh, sphere) != SP::OK)
     return EXIT_FAILURE;
 
-  // The surface along a meridian of the sphere, from pole to pole.
+  // The surface points along a meridian of the sphere, from pole to pole
   std::vector<Point_3> directions;
   for(int degrees = -90; degrees <= 90; ++degrees)
     directions.push_back(Point_3(std::cos(degrees * CGAL_PI / 180.), 0., std::sin(degrees * CGAL_PI / 180.)));
@@ -48,7 +48,7 @@ int main(int argc, char** argv)
   for(const Location& location : locations)
     out << PMP::construct_point(location, mesh) << '\n';
 
-  // One direction at a time: the centre of the sphere is none.
+  // Locate single directions; the center of the sphere is not a direction.
   std::cout << "the north pole is in face " << locator.locate(Point_3(0., 0., 1.)).first << std::endl;
   return locator.locate(Point_3(0., 0., 0.)).first == Mesh::null_face() && out ? EXIT_SUCCESS : EXIT_FAILURE;
 }

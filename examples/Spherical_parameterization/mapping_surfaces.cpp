@@ -23,7 +23,7 @@ int main(int argc, char** argv)
   if(!CGAL::IO::read_polygon_mesh(filename, first) ||
      !CGAL::IO::read_polygon_mesh((argc > 2) ? argv[2] : filename, second))
     return EXIT_FAILURE;
-  if(argc <= 2) // another pose: the surface itself, twisted
+  if(argc <= 2) // use a twisted copy of the surface
     for(const Vertex v : second.vertices())
     {
       const Point_3 p = second.point(v);
@@ -34,7 +34,7 @@ int main(int argc, char** argv)
 
   auto sphere1 = first.add_property_map<Vertex, Point_3>("v:sphere").first;
   auto sphere2 = second.add_property_map<Vertex, Point_3>("v:sphere").first;
-  auto directions = first.add_property_map<Vertex, Point_3>("v:directions").first; // on the sphere of the second
+  auto directions = first.add_property_map<Vertex, Point_3>("v:directions").first; // images on the second sphere
   SP::Surface_mapper_3<Mesh> mapper;
   if(SP::parameterize(first, sphere1) != SP::OK || SP::parameterize(second, sphere2) != SP::OK ||
      SP::map_surface(first, sphere1, second, sphere2, mapper, directions) != SP::OK)
@@ -42,7 +42,7 @@ int main(int argc, char** argv)
   std::cout << "energy " << mapper.report().energy << ", 2 for an isometry; margin of the alignment "
             << mapper.report().margin << std::endl;
 
-  // The second surface with the faces of the first one
+  // Remesh the second surface with the faces of the first one.
   SP::Sphere_domain_3 domain;
   Mesh result;
   auto result_sphere = result.add_property_map<Vertex, Point_3>("v:sphere").first;
@@ -51,7 +51,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   CGAL::IO::write_polygon_mesh("first_on_second.off", result);
 
-  // What is half way between both
+  // Compute the halfway morph, t = 0.5.
   for(const Vertex v : first.vertices())
     first.point(v) = CGAL::midpoint(first.point(v), result.point(v));
   CGAL::IO::write_polygon_mesh("half_way.off", first);

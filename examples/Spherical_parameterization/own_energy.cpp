@@ -13,9 +13,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// An energy that only minds the area, but for a small share of the angles: E = d + 1/d + w I/d.
+// An energy that penalizes area distortion, and angle distortion with a small weight w: E = d + 1/d + w I/d.
 // I and d are the sum of the squares and the product of the two singular values of the map of a face. The functions
-// are templates that need no more than arithmetic, so that several vertices are moved at once.
+// are templates that use only arithmetic, so that vector registers can process several vertices at once.
 struct Area_energy
 {
   double w = 0.05;

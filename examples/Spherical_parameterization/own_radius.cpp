@@ -17,8 +17,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// The radius at which one half of the faces shrinks and the other half grows, however much:
-// outliers have no say.
+// The radius at which half of the faces shrink and half of them grow. It is robust to outliers.
 struct Median_radius
 {
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }

@@ -25,7 +25,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // Any property map will do. This one is made for a mesh that has none of its own, and goes with its last copy.
+  // Any property map can be used. A dynamic property map works for all mesh types and is destroyed with its last copy.
   auto sphere = get(CGAL::dynamic_vertex_property_t<Point_3>(), mesh);
   const SP::Error_code error = SP::parameterize(mesh, sphere);
   if(error != SP::OK)
@@ -34,7 +34,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // The sphere as a mesh: the same faces in the same order, other points.
+  // Move the vertices of the mesh to their images on the sphere.
   for(auto v : vertices(mesh))
     v->point() = get(sphere, v);
   return CGAL::IO::write_polygon_mesh("polyhedron_on_sphere.off", mesh, CGAL::parameters::stream_precision(17))

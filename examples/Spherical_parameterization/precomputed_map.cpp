@@ -28,7 +28,7 @@ int main(int argc, char** argv)
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
     return EXIT_FAILURE;
 
-  // A first map, stopped early, and a second one that goes on from there.
+  // A first map, stopped early, and a second map that continues from it
   Sphere_map first = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:first").first;
   Sphere_map second = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:second").first;
   if(SP::parameterize(mesh, first, CGAL::parameters::number_of_iterations(5)) != SP::OK ||
@@ -41,7 +41,7 @@ int main(int argc, char** argv)
   std::cout << "isometric distortion at most " << of_first.isometric.maximum << ", then " << of_second.isometric.maximum
             << std::endl;
 
-  // Another pose of the surface, which has the same faces: bent a little.
+  // Another pose of the surface with the same faces: slightly bent
   Mesh pose = mesh;
   for(const Mesh::Vertex_index v : pose.vertices())
   {
@@ -49,8 +49,8 @@ int main(int argc, char** argv)
     pose.point(v) = Point_3(p.x() + 0.2 * std::sin(2. * p.y()), p.y(), p.z());
   }
 
-  // A map of it that starts from that of the first pose stays near to it, so that vertices correspond
-  // through the sphere.
+  // A map that starts from the map of the first pose stays close to it, so that corresponding vertices have nearby
+  // images.
   Sphere_map bent = pose.add_property_map<Mesh::Vertex_index, Point_3>("v:bent").first;
   if(SP::parameterize(pose, going_on_from(second), bent) != SP::OK)
     return EXIT_FAILURE;

@@ -14,7 +14,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point_3>;
 
-// Prints how far the map is, and stops it early, as a button in a user interface would.
+// Prints the progress and stops the run early, as a button in a user interface would.
 struct Progress : SP::Default_visitor
 {
   void on_level(std::size_t number_of_vertices) { std::cout << number_of_vertices << " vertices" << std::endl; }
@@ -38,7 +38,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // Whatever stops the run, the visitor or the time in seconds, what it returns is one-to-one.
+  // The map is bijective, whether the run converges or is stopped by the visitor or the time limit in seconds.
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   Progress progress;
   const SP::Error_code error =

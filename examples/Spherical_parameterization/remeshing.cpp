@@ -21,7 +21,7 @@ int main(int argc, char** argv)
   if(!CGAL::IO::read_polygon_mesh(filename, mesh))
     return EXIT_FAILURE;
 
-  // A map that spreads samples evenly over the surface
+  // A map that distributes samples evenly over the surface
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   auto parameterizer = SP::Bijective_low_distortion_parameterizer_3<>()
                            .energy(SP::Stretch_energy_3())
@@ -29,7 +29,7 @@ int main(int argc, char** argv)
                            .radius(SP::Area_preserving_radius_3());
   SP::Error_code error = SP::parameterize(mesh, parameterizer, sphere);
 
-  // An octahedron's faces, divided into 32 * 32 triangles each
+  // An octahedron with each face subdivided into 32 * 32 triangles
   Mesh remesh;
   auto remesh_sphere = remesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   if(error == SP::OK)

@@ -22,7 +22,7 @@ int main(int argc, char** argv)
     return EXIT_FAILURE;
   }
 
-  // The same run as that of parameterize(mesh, sphere), by an object that tells of it.
+  // Equivalent to parameterize(mesh, sphere), but the parameterizer provides a report.
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Mesh::Point>("v:sphere").first;
   SP::Bijective_low_distortion_parameterizer_3 method;
   const SP::Error_code error = SP::parameterize(mesh, method, sphere);

@@ -1,4 +1,4 @@
-// Carries values from the vertices of one sphere to those of a coarser one, without a part that does not count.
+// Resamples values from the vertices of a sphere to those of a coarser one, excluding a masked region.
 
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_domain_3.h>
 #include <CGAL/Spherical_parameterization/Sampling/Sphere_resampler_3.h>
@@ -14,7 +14,7 @@ using Resampler = SP::Sphere_resampler_3<>;
 
 int main(int, char**)
 {
-  // Cortical surfaces have spheres in files; see read_GIFTI() and read_FreeSurfer_surface().
+  // For cortical surfaces, read the spheres from files; see read_GIFTI() and read_FreeSurfer_surface().
   const SP::Sphere_domain_3 fine = SP::Sphere_domain_3::icosahedron(64), coarse = SP::Sphere_domain_3::octahedron(40);
   const auto points_of = [](const SP::Sphere_domain_3& sphere) {
     Resampler::Points points;
@@ -32,7 +32,7 @@ int main(int, char**)
     mask.push_back(p[0] < 0.9);
   }
 
-  // The weights serve for any number of values.
+  // The weights can be reused for any number of values.
   Resampler resampler;
   resampler.method(SP::Resampling_method::adaptive).mask(mask);
   resampler.areas(Resampler::vertex_areas(from, fine.triangles()), Resampler::vertex_areas(to, coarse.triangles()));

@@ -13,8 +13,7 @@ namespace SP = CGAL::Spherical_parameterization;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
-// One thread for each mesh: if there are many, this takes less time than all threads for one mesh
-// after the other.
+// Maps a mesh with one thread. For many meshes, one thread per mesh is faster than all threads for each mesh in turn.
 SP::Distortion_summary map_to_sphere(const std::string& filename)
 {
   SP::Distortion_summary distortion;

@@ -1,4 +1,4 @@
-// Expands a surface into spherical harmonics, and tells how much of it each degree has and how close what they make is to it.
+// Expands a surface in spherical harmonics, and prints the power of each degree and the distance of the reconstruction.
 
 #include <CGAL/Spherical_parameterization/Area_preserving_radius_3.h>
 #include <CGAL/Spherical_parameterization/Bijective_low_distortion_parameterizer_3.h>
@@ -38,7 +38,7 @@ int main(int argc, char** argv)
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
   auto smooth_sphere = smooth.add_property_map<Mesh::Vertex_index, Point_3>("v:sphere").first;
 
-  // Maps of low stretch leave the smallest errors.
+  // Maps of low stretch yield the smallest errors.
   SP::Bijective_low_distortion_parameterizer_3 bld;
   SP::Error_code error = SP::parameterize(mesh,
                                           bld.energy(SP::Stretch_energy_3())
@@ -74,7 +74,7 @@ int main(int argc, char** argv)
             << (position.axes_are_determined && position.signs_are_determined ? "" : ": the position is not determined")
             << std::endl;
 
-  // for R and pandas
+  // Write a table for R and pandas.
   std::ofstream table("harmonics.csv");
   error = SP::IO::write_harmonics_table(table, harmonics);
   return error == SP::OK ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -23,7 +23,7 @@ int main(int argc, char** argv)
   Mesh first;
   if(!CGAL::IO::read_polygon_mesh(filename, first))
     return EXIT_FAILURE;
-  Mesh second = first; // of other proportions
+  Mesh second = first; // with other proportions
   for(const Vertex v : second.vertices())
   {
     const Point_3 p = second.point(v);
@@ -36,7 +36,7 @@ int main(int argc, char** argv)
   if(SP::parameterize(first, sphere1) != SP::OK || SP::parameterize(second, sphere2) != SP::OK)
     return EXIT_FAILURE;
 
-  // Vertices that correspond: the ends in the directions of the axes
+  // Corresponding vertices: the extreme vertices along the axes
   std::vector<std::pair<Vertex, Vertex>> landmarks;
   for(const int axis : {0, 1, 2})
     for(const double sign : {-1., 1.})

@@ -17,7 +17,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_ker
 using Point_3 = Mesh::Point;
 using Vertex = Mesh::Vertex_index;
 
-// Gives each surface the faces of the first one: vertex i is the same place of all of them.
+// Remeshes all surfaces with the faces of the first one: vertex i is the corresponding point on each of them.
 int main(int argc, char** argv)
 {
   std::vector<std::string> filenames(argv + 1, argv + argc);

@@ -24,7 +24,7 @@ int main(int argc, char** argv)
   auto sphere = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_3>("v:sphere").first;
   SP::Error_code error = SP::parameterize(mesh, sphere);
 
-  // The north pole is in the direction of the y-axis of the sphere, the middle of the image in that of the z-axis.
+  // The north pole is in the direction of the y-axis of the sphere, and the image center in that of the z-axis.
   Mesh textured;
   auto uv = textured.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   if(error == SP::OK)

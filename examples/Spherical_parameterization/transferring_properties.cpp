@@ -30,7 +30,7 @@ int main(int argc, char** argv)
   if(SP::parameterize(mesh, sphere) != SP::OK)
     return EXIT_FAILURE;
 
-  // Something that has been measured at each vertex, and a label of each face
+  // A measured value at each vertex, and a label of each face
   auto height = mesh.add_property_map<Vertex, double>("v:height").first;
   for(const Vertex v : mesh.vertices())
     height[v] = mesh.point(v).z();
@@ -38,7 +38,7 @@ int main(int argc, char** argv)
   for(const Face f : mesh.faces())
     part[f] = mesh.point(mesh.target(mesh.halfedge(f))).x() > 0. ? 1 : 0;
 
-  // From the surface to a mesh of the sphere that is the same for all surfaces, and back
+  // Transfer from the surface to a mesh of the sphere that is common to all surfaces, and back.
   Mesh standard;
   const SP::Sphere_domain_3 domain = SP::Sphere_domain_3::icosahedron(20);
   PMP::polygon_soup_to_polygon_mesh(domain.directions(), domain.triangles(), standard);

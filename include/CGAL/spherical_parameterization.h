@@ -13,9 +13,10 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_H
 
 /// \file spherical_parameterization.h
-/// Convenience header file that includes the core of the package: `parameterize()` and what it is set by, measures of
-/// maps, and the inverse of a map. The methods that solve linear systems, which need Eigen, are included by their names, and
-/// each part by its own header file, such as `CGAL/Spherical_parameterization/sampling.h`.
+/// Convenience header file that includes the core of the package: `parameterize()` with its methods, energies and
+/// radius policies, the measures of maps, and the inverse of a map. The methods that solve linear systems need Eigen;
+/// their headers are included individually. Each other part of the package has a header of its own, such as
+/// `CGAL/Spherical_parameterization/sampling.h`.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

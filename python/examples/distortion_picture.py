@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Usage: distortion_picture.py MESH PICTURE.png
 
-Draws a surface and its map to the sphere side by side, coloured by the distortion of each face. The arrays may as well be
-those of trimesh (mesh.vertices, mesh.faces) or PyVista (mesh.points, mesh.faces.reshape(-1, 4)[:, 1:])."""
+Draws a surface and its map to the sphere side by side, colored by the distortion of each face. Meshes of trimesh or PyVista can
+replace the arrays vertices and faces."""
 
 import sys
 

@@ -1,32 +1,40 @@
-"""One-to-one maps of low distortion from closed triangle meshes without handles to the sphere.
+"""Bijective maps of low distortion from closed triangle meshes of genus 0 to the sphere.
 
-A mesh is two arrays: ``vertices``, (n, 3) numbers, and ``faces``, (m, 3) integers, counterclockwise as seen from outside.
-A map of it to the sphere is another one, ``sphere``, (n, 3): the image of each vertex, around the origin. Arrays may be
-of any numeric type, contiguous or not; those that are returned are float64 and int64. What is wrong with them is told by
-an `Error`.
+A mesh consists of two arrays: ``vertices``, (n, 3) coordinates, and ``faces``, (m, 3) vertex indices from 0. Faces are
+counterclockwise as seen from outside. A map to the sphere is a third array, ``sphere``, (n, 3): the image of each
+vertex, a point around the origin. Input arrays may have any numeric type and any memory layout. Returned coordinates
+are float64, returned indices int64, unless stated otherwise. Invalid input raises `Error`, which names the vertex or face.
+An argument of a wrong type raises TypeError.
 
-Functions take the three arrays in this order, without those that they do not need: as arguments where there is one surface,
-as a tuple ``(vertices, faces, sphere)`` for each where there are two. In the place of ``vertices, faces`` there may be a mesh: any
-object that has `faces`, and `vertices`, as those of trimesh, or `points`, as those of PyVista. Settings are given by name. Functions that may take
-long have `threads`, the largest number of them, of which there are never more than cores; and those that can be stopped
-`time_limit`, `callback` and `on_interrupt`.
+Functions take these arrays in the order ``vertices, faces, sphere`` and omit those that they do not need. Functions of
+one surface take them as arguments. Functions of two surfaces take a tuple ``(vertices, faces, sphere)`` for each. A mesh
+object may replace ``vertices, faces``: any object that has `faces` and either `vertices`, as in trimesh, or `points`, as
+in PyVista. Settings are keyword arguments. `threads` is the maximum number of threads, which never exceeds the number of
+cores; results have the same bits for any number of threads. Functions that can be stopped early take `time_limit`,
+`callback` and `on_interrupt`.
 
+By task:
+
+- read and repair a surface: `read_mesh`, `find_defect`, `repair_surface`, `fill_holes`, `find_handles`
+- map a surface to the sphere: `parameterize`, `measure_distortion`, `is_bijective`, `round_to_float`
+- apply the inverse map: `Locator`, `remesh`, `transfer`, `measure_distance`
+- use existing spheres, such as those of FreeSurfer: `resample`, `resample_sphere`, `compute_sulcal_measures`
+- map a surface to another one: `map_surface`, `align_spheres`, `overlay`, `measure_distortion_between`
+- expand shapes into spherical harmonics: `expand`, `reconstruct`, `spectrum`, `standard_position`,
+  `write_coefficients`, `read_coefficients`
+- use other libraries of spherical harmonics: `compute_angles`, `angles_to_directions`
+- compute the mean and the modes of many shapes: `shape_modes`
+
+Examples
+--------
+All examples of this reference use the following surface, a tetrahedron with 258 vertices:
+
+>>> import numpy as np
 >>> import spherical_parameterization as sp
->>> vertices, faces = sp.read_mesh("bunny.off")
+>>> corners = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
+>>> triangles = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
+>>> vertices, faces = sp.remesh(corners, triangles, corners, ("octahedron", 8))[:2]
 >>> sphere, report = sp.parameterize(vertices, faces)
->>> sp.measure_distortion(vertices, faces, sphere).isometric.average
->>> directions, report = sp.map_surface((vertices, faces, sphere), (other_vertices, other_faces, other_sphere))
-
-What there is, by task:
-
-- read and repair: `read_mesh`, `find_defect`, `repair_surface`, `fill_holes`, `find_handles`
-- a surface to the sphere: `parameterize`, `measure_distortion`, `is_bijective`, `round_to_float`
-- back from the sphere: `Locator`, `remesh`, `transfer`, `measure_distance`
-- spheres that exist, such as those of FreeSurfer: `resample`, `resample_sphere`
-- a surface to another one: `map_surface`, `align_spheres`, `compute_sulcal_measures`, `overlay`, `measure_distortion_between`
-- shapes as numbers: `expand`, `reconstruct`, `spectrum`, `standard_position`, `write_coefficients`, `read_coefficients`
-- for other libraries of harmonics: `compute_angles`, `angles_to_directions`
-- the mean and the modes of many shapes: `shape_modes`
 """
 
 from ._angles import angles_to_directions, compute_angles

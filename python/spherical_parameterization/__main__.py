@@ -1,4 +1,4 @@
-"""Runs the command line program: ``python -m spherical_parameterization map bunny.off -o sphere.off``."""
+"""Run the command line program: ``python -m spherical_parameterization map bunny.off -o sphere.off``."""
 
 from ._program import run
 

@@ -14,65 +14,85 @@ from ._parameterization import parameterize
 def compute_angles(
     vertices: ArrayLike, faces: ArrayLike, *, sphere: Optional[ArrayLike] = None, threads: Optional[int] = None
 ) -> NDArray[np.float64]:
-    """Returns the spherical coordinates of the vertices of a surface, which scikit-learn-like libraries of harmonics start from.
+    """Compute the spherical coordinates of the vertices of a surface.
+
+    Other libraries of spherical harmonics, such as ktch, start from these angles.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle, counterclockwise as seen from outside.
-    sphere : (n, 3) array_like of numbers, optional
-        The images of the vertices, at any distance from the origin. By default, `parameterize` finds them.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle, counterclockwise as seen from outside.
+    sphere : (n, 3) array_like of float, optional
+        Images of the vertices, at any distance from the origin. By default, `parameterize` computes them.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
-    theta_phi : (n, 2) ndarray of float64
-        For each vertex, the angle theta from the z axis, from 0 to pi, and phi around it from the x axis, from 0 to 2 pi.
+    (n, 2) ndarray of float64
+        For each vertex, in radians, the angle theta from the z-axis, from 0 to pi, and the azimuth phi around the z-axis,
+        from 0 to 2 pi, starting at the x-axis.
 
     Raises
     ------
     Error
-        If the mesh has no map, see `find_defect`, or an image is the origin or not finite.
+        If the mesh has a defect, see `find_defect`; or if an image is the origin or not finite, such as the image of a
+        vertex without a face.
 
     See Also
     --------
-    angles_to_directions : the way back.
+    angles_to_directions : Compute directions from these angles.
 
     Examples
     --------
-    ktch takes them as they are:
-
     >>> theta_phi = sp.compute_angles(vertices, faces)
-    >>> ktch.harmonic.SphericalHarmonicAnalysis(n_harmonics=20).fit_transform([vertices], theta_phi=[theta_phi])
+    >>> theta_phi.shape
+    (258, 2)
+
+    ktch takes the angles as they are:
+
+    >>> analysis = ktch.harmonic.SphericalHarmonicAnalysis(n_harmonics=20)  # doctest: +SKIP
+    >>> analysis.fit_transform([vertices], theta_phi=[theta_phi])  # doctest: +SKIP
     """
     images = parameterize(vertices, faces, threads=threads)[0] if sphere is None else read_points("sphere", sphere)
     lengths = np.linalg.norm(images, axis=1)
     wrong = ~(np.isfinite(lengths) & (lengths > 0))
     if wrong.any():
-        refuse(f"sphere: the image of vertex {np.flatnonzero(wrong)[0]} is the origin or not finite, and has no angles")
+        refuse(f"sphere: the image of vertex {np.flatnonzero(wrong)[0]} is the origin or not finite, so that it has no angles")
     x, y, z = images.T
     return np.column_stack((np.arctan2(np.hypot(x, y), z), np.arctan2(y, x) % (2 * np.pi)))
 
 
 def angles_to_directions(theta_phi: ArrayLike) -> NDArray[np.float64]:
-    """Returns the directions that have these spherical coordinates.
+    """Compute directions from spherical coordinates.
+
+    `Locator.locate`, `reconstruct` and ``parameterize(initial=...)`` take such directions.
 
     Parameters
     ----------
-    theta_phi : (n, 2) array_like of numbers
-        The angle theta from the z axis, and phi around it from the x axis.
+    theta_phi : (n, 2) array_like of float
+        In radians, the angle theta from the z-axis and the azimuth phi around the z-axis, starting at the x-axis.
 
     Returns
     -------
-    directions : (n, 3) ndarray of float64
-        Points of the unit sphere, such as `Locator`, `reconstruct` and ``parameterize(initial=...)`` take.
+    (n, 3) ndarray of float64
+        Points of the unit sphere.
+
+    Raises
+    ------
+    Error
+        If the array does not have two columns.
+
+    See Also
+    --------
+    compute_angles : Compute the angles of the vertices of a surface.
 
     Examples
     --------
-    >>> triangles, coordinates = sp.Locator(faces, sphere).locate(sp.angles_to_directions(theta_phi))
+    >>> sp.angles_to_directions([[0, 1]])
+    array([[0., 0., 1.]])
     """
     angles = to_array("theta_phi", theta_phi, 2)
     if angles.dtype.kind not in "fiu":

@@ -1,4 +1,4 @@
-"""Checks what the caller gives, and turns it into what the compiled part reads."""
+"""Check the arguments of the public functions and convert them to the types that the compiled part takes."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def refuse(message: str) -> NoReturn:
 
 
 def to_array(name: str, value: ArrayLike, columns: Optional[int] = None) -> NDArray[Any]:
-    """Returns it as an array: an empty list, which has neither a type nor columns, as one with `columns`, if that is given."""
+    """Return the value as an array. An empty list, which has neither a type nor columns, gets `columns` if that is given."""
     is_nested = isinstance(value, (list, tuple))
     if np.ma.is_masked(value) or (is_nested and any(np.ma.is_masked(row) for row in value)):  # type: ignore[union-attr]
-        refuse(f"{name} has masked values, which cannot be left out: fill them in, for example with filled()")
+        refuse(f"{name} has masked values, which cannot be ignored: replace them, for example with filled()")
     try:
         array = np.asarray(value)
     except ValueError:
-        refuse(f"{name} is no array: its parts differ in their shapes")
+        refuse(f"{name} is not an array: its parts differ in shape")
     return np.empty((0, columns), int) if columns and array.shape == (0,) else array
 
 
@@ -41,7 +41,7 @@ def _rows(name: str, array: NDArray[Any], columns: int, what: str) -> None:
 
 
 def read_points(name: str, value: ArrayLike, n: Optional[int] = None) -> NDArray[np.float64]:
-    """Returns an array with `n` rows of three coordinates, the array itself if possible."""
+    """Return an array with `n` rows of three coordinates, the array itself if possible."""
     array = to_array(name, value, 3)
     if array.dtype.kind not in "bfiu":
         raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
@@ -52,15 +52,15 @@ def read_points(name: str, value: ArrayLike, n: Optional[int] = None) -> NDArray
 
 
 def read_vertices(name: str, value: ArrayLike, columns: int, what: str) -> NDArray[np.int64]:
-    """Returns an array with rows of vertices, the array itself if possible."""
+    """Return an array with rows of vertices, the array itself if possible."""
     array = to_array(name, value, columns)
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} has the type {array.dtype}; it has to hold integers, the rows of vertices")
+        raise TypeError(f"{name} has the type {array.dtype}; it has to hold integers, the indices of vertices")
     _rows(name, array, columns, what)
     too_large = np.argwhere(array > np.iinfo(np.int64).max) if array.dtype == np.uint64 else ()
     if len(too_large):
         row, column = too_large[0]
-        refuse(f"{name}: row {row} has the vertex {array[row, column]}, and there are not so many.\n(Rows are counted from 0.)")
+        refuse(f"{name}: row {row} has the vertex {array[row, column]}, but there are fewer vertices.\n(Rows are counted from 0.)")
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
@@ -75,10 +75,10 @@ def read_surface(vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, prefi
 
 
 def read_tuple(name: str, value: Any, *parts: str) -> Sequence[Any]:
-    """Returns the parts of a tuple, of which a mesh may be the first two."""
+    """Return the parts of a tuple. A mesh object may replace the first two."""
     if isinstance(value, (tuple, list)) and 0 < len(value) < len(parts) and is_mesh(value[0]):
         value = (*split_mesh(value[0]), *value[1:])
-    # An array of as many rows would be one of something else.
+    # An array with this number of rows would otherwise pass as a tuple.
     if not isinstance(value, (tuple, list)) or len(value) != len(parts):
         raise TypeError(f"{name} has to be a tuple: ({', '.join(parts)})")
     return value
@@ -96,7 +96,7 @@ ValuesOfBoth = Tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 def _read_values(name: str, value: Any, kinds: str, *surfaces: SurfaceArrays) -> ValuesOfBoth:
-    """Returns a pair of arrays with a number for each vertex of each surface, of a type among `kinds`."""
+    """Return a pair of arrays with a number for each vertex of each surface; `kinds` are the accepted kinds of types."""
 
     def read(name: str, value: ArrayLike, n: int) -> NDArray[np.float64]:
         array = to_array(name, value)
@@ -134,12 +134,12 @@ def read_masks(masks: Optional[Tuple[ArrayLike, ArrayLike]], *surfaces: SurfaceA
     pair = _read_values("masks", masks, "bfiu", *surfaces)
     for i in (0, 1):
         if not pair[i].any():
-            refuse(f"masks[{i}] is false for all vertices: nothing of the surface counts")
+            refuse(f"masks[{i}] is false for all vertices: it excludes the whole surface")
     return [pair]
 
 
 def read_density(density: Any, n_vertices: int, n_faces: int) -> Tuple[Optional[NDArray[np.float64]], bool]:
-    """Returns the densities, none of them if they are equal, and whether they are those of faces."""
+    """Return the densities, empty if all are equal, and whether they belong to faces."""
     if density is None:
         return None, False
     if isinstance(density, str):
@@ -164,16 +164,16 @@ def read_density(density: Any, n_vertices: int, n_faces: int) -> Tuple[Optional[
             **{"face" if is_of_faces else "vertex": int(k)},
         )
     if len(array) and not array.any():
-        raise Error("density is 0 everywhere: nothing would have a place on the sphere", ErrorCode.INVALID_DENSITY)
+        raise Error("density is 0 everywhere: it prescribes no area for any part of the surface", ErrorCode.INVALID_DENSITY)
     return np.ascontiguousarray(array, dtype=np.float64), is_of_faces
 
 
 def carry_rows(
     values: NDArray[Any], shape: Tuple[int, ...], carry: Callable[[NDArray[Any]], NDArray[Any]]
 ) -> NDArray[Any]:
-    """Carries values over: numbers by a table of doubles, labels, which are rows of any other type, by their numbers.
+    """Transfer values: floating-point numbers as a table of doubles, labels (rows of any other type) by their indices.
 
-    `carry` takes and returns such tables; the number of a label is negative where there is none.
+    `carry` takes and returns such tables. The index of a missing label is negative.
     """
     rows = values.reshape(len(values), int(np.prod(shape[1:])))
     if values.dtype.kind == "f":
@@ -193,7 +193,7 @@ def check_word(name: str, value: object, words: Sequence[str]) -> None:
 
 
 def read_threads(threads: Optional[int]) -> int:
-    """Returns the largest number of threads, or 0 for all cores."""
+    """Return the maximum number of threads, or 0 for all cores."""
     if threads is None:
         return 0
     n = operator.index(threads)
@@ -203,7 +203,7 @@ def read_threads(threads: Optional[int]) -> int:
 
 
 def read_max_vertices(max_vertices: Optional[int]) -> Optional[int]:
-    """Returns the largest number of vertices of a refinement, or None for the default."""
+    """Return the maximum number of vertices of a refinement, or None for the default."""
     if max_vertices is None:
         return None
     n = operator.index(max_vertices)
@@ -215,7 +215,7 @@ def read_max_vertices(max_vertices: Optional[int]) -> Optional[int]:
 def read_run(
     threads: Optional[int], time_limit: Optional[float], callback: Callback, on_interrupt: str
 ) -> Tuple[int, float, Callback, bool]:
-    """Returns what the compiled part is told of a run that can be stopped."""
+    """Return the arguments that the compiled part takes for a run that can be stopped."""
     seconds = 0.0 if time_limit is None else float(time_limit)
     if time_limit is not None and not seconds > 0:
         refuse(f"time_limit is {time_limit}; it has to be positive")

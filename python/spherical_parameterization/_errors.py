@@ -6,15 +6,17 @@ from ._core import ErrorCode
 
 
 class Error(ValueError):
-    """What is wrong with a mesh, a map or a parameter. ``str()`` of it says where, and what helps.
+    """Error in a mesh, a map, a file or a parameter.
+
+    ``str(error)`` states the error, its location and a remedy.
 
     Attributes
     ----------
     code : ErrorCode
-        What is wrong.
+        Kind of error.
     vertex, other_vertex, face : int or None
-        Where: rows of the arrays, as far as they apply. If an edge is wrong, the vertices are its ends; if a direction
-        is, `vertex` is its row.
+        Location: rows of the arrays, as far as they apply. For an edge, the vertices are its ends. For a direction,
+        `vertex` is its row.
     """
 
     code: ErrorCode
@@ -30,7 +32,7 @@ class Error(ValueError):
         other_vertex: Optional[int] = None,
         face: Optional[int] = None,
     ) -> None:
-        # All of them, as a copy for another process is made of them.
+        # pickle reconstructs the error from all of these arguments.
         super().__init__(message, code, vertex, other_vertex, face)
         self.code = code
         self.vertex = vertex

@@ -15,32 +15,38 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 def read_mesh(path: Path) -> Tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Reads a mesh of triangles from a file, with the reader of the command line program.
+    """Read a triangle mesh from a file.
+
+    The reader is that of the command line program.
 
     Parameters
     ----------
     path : str or path-like
-        A file whose name ends with .off (as text; colours and normals are skipped), .obj, .ply, .stl, .ts, .gii or .gii.gz, in
-        small letters or capitals; or a surface of FreeSurfer, such as lh.white.
+        File whose name ends with .off (text; colors and normals are skipped), .obj, .ply, .stl, .ts, .gii or .gii.gz, in
+        lower or upper case; or a FreeSurfer surface, such as lh.white.
 
     Returns
     -------
     vertices : (n, 3) ndarray of float64
-        The points, in the order and the unit of the file.
+        Points, in the order and the unit of the file.
     faces : (m, 3) ndarray of int64
-        The vertices of each triangle.
+        Vertices of each triangle.
 
     Raises
     ------
     OSError
-        If there is no such file.
+        If the file does not exist.
     Error
-        If the file is damaged or of another format, with the line or byte; or if a face is not a triangle.
+        If the file is damaged or has another format; the message contains the line or byte. Also if a face is not a
+        triangle.
+
+    See Also
+    --------
+    find_defect : Check whether a mesh can be mapped.
 
     Notes
     -----
-    Whether the mesh can be mapped is told by `find_defect`. The memory is bounded by the size of the file, whatever it holds.
-    `trimesh.load` and PyVista read further formats.
+    The size of the file bounds the memory, whatever the file contains. `trimesh.load` and PyVista read further formats.
 
     Examples
     --------
@@ -58,28 +64,41 @@ def _is_table(path: Path) -> bool:
 
 
 def write_coefficients(path: Path, coefficients: ArrayLike, *, normalization: str = "4pi", csphase: int = 1) -> None:
-    """Writes coefficients of spherical harmonics to a file, with all digits.
+    """Write coefficients of spherical harmonics to a file, with all digits.
+
+    An existing file is replaced.
 
     Parameters
     ----------
     path : str or path-like
-        NAME.coef, a file of SPHARM-PDM, for the coefficients of a surface; or NAME.csv, a table for R, pandas and spreadsheets
-        with a line for each degree and order, the sines with negative orders, and the columns degree, order, one for each
-        function (x, y and z, if there are three), normalization and csphase. A file that is there is replaced.
-    coefficients : (..., 2, L + 1, L + 1) array_like of numbers
-        Those of any number of functions, such as `expand` returns; for .coef, (3, 2, L + 1, L + 1).
+        NAME.coef for a file of SPHARM-PDM, or NAME.csv for a table for R, pandas and spreadsheets. The table has a row for
+        each degree and order, where sines have negative orders. Its columns are degree, order, one for each function (x, y
+        and z if there are three), normalization and csphase.
+    coefficients : (..., 2, L + 1, L + 1) array_like of float
+        Coefficients of any number of functions, such as `expand` returns; for .coef, (3, 2, L + 1, L + 1).
     normalization : {"4pi", "ortho", "schmidt"}
-        That of the coefficients; see `expand`. A table has them like this, and says so; .coef files have a convention of their
-        own, to which they are converted.
+        Normalization of the coefficients, see `expand`. A table keeps and states it. .coef files have their own
+        convention, to which the coefficients are converted.
     csphase : {1, -1}
-        That of the coefficients.
+        Phase of the coefficients, see `expand`.
 
     Raises
     ------
     OSError
         If the file cannot be written.
     Error
-        If the name ends otherwise, or coefficients are not of a shape that has been named.
+        If the name has another ending, or if the shape of the coefficients is not one of those above.
+
+    See Also
+    --------
+    read_coefficients : Read such a file.
+
+    Examples
+    --------
+    >>> coefficients, fit = sp.expand(vertices, faces, sphere, 8)
+    >>> sp.write_coefficients("shape.csv", coefficients)
+    >>> np.array_equal(sp.read_coefficients("shape.csv"), coefficients)
+    True
     """
     is_table = _is_table(path)
     array, functions = read_table_of_coefficients(coefficients)
@@ -87,35 +106,39 @@ def write_coefficients(path: Path, coefficients: ArrayLike, *, normalization: st
     if not is_table and functions != (3,):
         refuse(f"coefficients has the shape {np.shape(coefficients)}; a .coef file takes (3, 2, L + 1, L + 1), a surface")
     if len(array) == 0:
-        refuse("coefficients are those of no function")
+        refuse("coefficients has no function")
     content = _core.write_coefficients(array, is_table, *convention)
     with open(path, "wb") as file:
         file.write(content)
 
 
 def read_coefficients(path: Path, *, normalization: str = "4pi", csphase: int = 1) -> NDArray[np.float64]:
-    """Reads coefficients of spherical harmonics from a file that `write_coefficients` or another program has written.
+    """Read coefficients of spherical harmonics from a file.
 
     Parameters
     ----------
     path : str or path-like
-        NAME.coef, of SPHARM-PDM, or NAME.csv, a table; see `write_coefficients`.
+        NAME.coef, of SPHARM-PDM, or NAME.csv, a table as written by `write_coefficients`.
     normalization : {"4pi", "ortho", "schmidt"}
-        That of the coefficients that are returned, whatever the file has; see `expand`.
+        Normalization of the returned coefficients, whatever the normalization in the file; see `expand`.
     csphase : {1, -1}
-        The same for the phase.
+        Phase of the returned coefficients, whatever the phase in the file; see `expand`.
 
     Returns
     -------
     (k, 2, L + 1, L + 1) ndarray of float64
-        The coefficients of k functions, 3 for a surface.
+        Coefficients of k functions; k = 3 for a surface.
 
     Raises
     ------
     OSError
         If the file cannot be read.
     Error
-        If the name ends otherwise, or the file is damaged, with the place.
+        If the name has another ending; or if the file is damaged: the message contains the location.
+
+    See Also
+    --------
+    write_coefficients : Write such a file.
     """
     is_table = _is_table(path)
     convention = read_convention(normalization, csphase)

@@ -20,12 +20,12 @@ NORMALIZATIONS = ("4pi", "ortho", "schmidt")
 def read_convention(normalization: str, csphase: int) -> Tuple[str, bool]:
     check_word("normalization", normalization, NORMALIZATIONS)
     if csphase not in (1, -1):
-        refuse(f"csphase is {csphase!r}; it has to be 1, or -1 with the phase of Condon and Shortley")
+        refuse(f"csphase is {csphase!r}; it has to be 1, or -1 with the Condon-Shortley phase")
     return normalization, csphase == -1
 
 
 def read_table_of_coefficients(value: ArrayLike) -> Tuple[NDArray[np.float64], Tuple[int, ...]]:
-    """Returns them as an array (functions, 2, L + 1, L + 1), and the shape of the functions."""
+    """Return the coefficients as an array (functions, 2, L + 1, L + 1), and the shape of the functions."""
     array = to_array("coefficients", value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"coefficients has the type {array.dtype}; it has to hold real numbers")
@@ -45,26 +45,30 @@ def _read_directions(name: str, value: ArrayLike) -> NDArray[np.float64]:
     wrong = np.flatnonzero(~(np.isfinite(directions).all(axis=1) & directions.any(axis=1)))
     if wrong.size:
         row = int(wrong[0])
-        message = f"{name}: row {row} is zero, infinite or not a number, so that it leads nowhere.\n(Rows are counted from 0.)"
+        message = f"{name}: row {row} is zero, infinite or not a number.\n(Rows are counted from 0.)"
         raise Error(message, ErrorCode.INVALID_DIRECTION, row)
     return directions
 
 
 class HarmonicFit(NamedTuple):
-    """How well an expansion fits. The errors are in the unit of the functions; for points of a surface, they are distances.
+    """Quality of an expansion into spherical harmonics.
+
+    Errors are in the unit of the functions. For the points of a surface, they are distances.
 
     Attributes
     ----------
     error_over_surface : float
-        Root mean square error over all of the surface, by its area.
+        Root mean square error over the whole surface, weighted by area.
     error_at_vertices : float
-        The same at the vertices, by the areas around them.
+        Root mean square error at the vertices, weighted by the areas around them.
     aliasing : float
-        Root mean square difference, over the sphere, to the expansion with half as many nodes each way; 0 at the vertices.
+        Root mean square difference, over the sphere, from the expansion with half as many nodes in each direction; 0 for
+        ``weights="vertices"``.
     number_of_iterations : int
-        Of conjugate gradients; 0 where none are needed.
+        Iterations of conjugate gradients; 0 if none are needed.
     degree_of_vertices : int
-        The largest degree with no more coefficients than vertices: what is above it tells of flat faces.
+        Maximum degree supported by the sampling: the largest degree that has no more coefficients than there are vertices.
+        Higher degrees describe the flat faces, not the shape.
     """
 
     error_over_surface: float
@@ -87,52 +91,59 @@ def expand(
     csphase: int = 1,
     threads: Optional[int] = None,
 ) -> Tuple[NDArray[np.float64], HarmonicFit]:
-    """Expands a surface, or values of its vertices, into real spherical harmonics by its map to the sphere.
+    """Expand a surface, or values of its vertices, into real spherical harmonics.
 
-    Maps with ``prefer="sampling"`` leave the smallest errors. Where surfaces are compared with each other, take the default map:
-    it depends less on how a surface is meshed, so that the coefficients of equal surfaces differ less.
+    A map with ``prefer="sampling"`` gives the smallest errors. To compare surfaces, use the default map instead: it depends
+    less on the triangulation, so that the coefficients of equal surfaces differ less.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices, a one-to-one map.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
+    sphere : (n, 3) array_like of float
+        Images of the vertices, a bijective map.
     degree : int
-        The largest degree L, from 0 to 1000. What is above ``fit.degree_of_vertices``, the square root of n less 1, tells of flat
-        faces and not of a shape. The time grows with the third power of L: a second for 100, seven for 200.
-    values : (n, ...) array_like of numbers, optional
-        What is expanded in the place of the points.
+        Maximum degree L, from 0 to 1000. Degrees above ``fit.degree_of_vertices``, the square root of n minus 1, describe
+        the flat faces, not the shape.
+    values : (n, ...) array_like of float, optional
+        Values to expand instead of the points.
     weights : {"surface", "sphere", "vertices"}
-        What the squared error that is least is weighed with: areas of the surface, or of the sphere, at nodes all over; or areas
-        of the surface at the vertices alone.
+        Weighting of the squared error, whose minimum is computed: by areas of the surface or of the sphere, both at nodes
+        spread over the sphere; or by areas of the surface at the vertices only.
     normalization : {"4pi", "ortho", "schmidt"}
-        Of the harmonics, as in pyshtools: the integrals of their squares are 4 pi, 1, or 4 pi / (2 l + 1) for the degree l.
+        Normalization of the harmonics, as in pyshtools: the integral of the square of a harmonic of degree l is 4 pi, 1, or
+        4 pi / (2 l + 1).
     csphase : {1, -1}
-        -1 with the phase of Condon and Shortley.
+        -1 to include the Condon-Shortley phase, 1 to omit it.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     coefficients : (3, 2, L + 1, L + 1) or (..., 2, L + 1, L + 1) ndarray of float64
-        Those of each coordinate, or number, in its unit: ``[..., 0, l, m]`` belongs to the cosine of the order m,
+        Coefficients of each coordinate or value, in its unit: ``[..., 0, l, m]`` belongs to the cosine of order m,
         ``[..., 1, l, m]`` to the sine.
     fit : HarmonicFit
-        How well they fit.
+        Quality of the expansion.
 
     Raises
     ------
     Error
-        If the mesh has no map to the sphere, or the map is not one-to-one; or if there are fewer vertices than coefficients, and
-        only they are weighted.
+        If the mesh has a defect, see `find_defect`, or if the map is not bijective. With ``weights="vertices"``, also if
+        there are fewer vertices than coefficients.
+
+    See Also
+    --------
+    reconstruct : Evaluate an expansion.
+    spectrum : Compute the power of each degree.
+    standard_position : Make the coefficients of different surfaces comparable.
 
     Notes
     -----
-    The harmonics are those of pyshtools, whose functions take ``coefficients[k]`` [1]_. Surfaces have been expanded like this for
-    the statistics of shapes since [2]_.
+    The harmonics are those of pyshtools, whose functions take ``coefficients[k]`` [1]_. Such expansions describe shapes in
+    statistics since [2]_. The time grows with the third power of L: one second for L = 100, seven seconds for L = 200.
 
     References
     ----------
@@ -142,8 +153,10 @@ def expand(
 
     Examples
     --------
-    >>> coefficients, fit = sp.expand(vertices, faces, sphere, 30)
-    >>> smooth = sp.reconstruct(coefficients, ("octahedron", 64))
+    >>> coefficients, fit = sp.expand(vertices, faces, sphere, 8)
+    >>> coefficients.shape
+    (3, 2, 9, 9)
+    >>> smooth = sp.reconstruct(coefficients, ("octahedron", 16))
     """
     surface = read_surface(vertices, faces, sphere)
     max_threads = read_threads(threads)
@@ -174,32 +187,46 @@ def reconstruct(
     csphase: int = 1,
     threads: Optional[int] = None,
 ) -> Any:
-    """Evaluates sums of spherical harmonics at directions, or makes a surface of them.
+    """Evaluate spherical harmonics at directions, or build a surface from them.
 
     Parameters
     ----------
-    coefficients : (..., 2, L + 1, L + 1) array_like of numbers
-        Those of any number of functions. ``coefficients[..., :9, :9]`` leaves out what is above the degree 8.
-    where : (k, 3) array_like of numbers, (str, int) or (faces, sphere)
-        Directions, at any distance from the origin. Or, as a tuple or list, if the functions are the three coordinates of a
-        surface, what the sphere is sampled with: "octahedron", "cube" or "icosahedron" and the number, from 1 to 5000, that its
-        edges are divided into, or any mesh of the sphere.
+    coefficients : (..., 2, L + 1, L + 1) array_like of float
+        Coefficients of any number of functions. ``coefficients[..., :9, :9]`` omits all degrees above 8.
+    where : (k, 3) array_like of float, (str, int) or (faces, sphere)
+        Directions, at any distance from the origin. If the functions are the coordinates of a surface, a tuple or list
+        instead defines the sampling of the sphere: "octahedron", "cube" or "icosahedron" and the number of parts of each
+        edge, from 1 to 5000; or any mesh of the sphere.
     normalization : {"4pi", "ortho", "schmidt"}
-        That of the coefficients; see `expand`.
+        Normalization of the coefficients, see `expand`.
     csphase : {1, -1}
-        That of the coefficients.
+        Phase of the coefficients, see `expand`.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     (k, ...) ndarray of float64, or Remesh
-        The values at each direction, such as (k,) or (k, 3); or the surface.
+        Values at each direction, such as (k,) or (k, 3); or the surface.
 
     Raises
     ------
     Error
-        If a direction is zero or not finite, or coefficients are not of a shape that has been named.
+        If a direction is zero or not finite, or if the shape of the coefficients is not one of those above.
+
+    See Also
+    --------
+    expand : Compute the coefficients of a surface.
+
+    Notes
+    -----
+    The time is O(k L**2) for k directions.
+
+    Examples
+    --------
+    >>> coefficients, fit = sp.expand(vertices, faces, sphere, 8)
+    >>> sp.reconstruct(coefficients, [[0, 0, 1], [1, 0, 0]]).shape
+    (2, 3)
     """
     array, functions = read_table_of_coefficients(coefficients)
     convention = read_convention(normalization, csphase)
@@ -227,54 +254,64 @@ def reconstruct(
 
 
 def spectrum(coefficients: ArrayLike, *, normalization: str = "4pi") -> NDArray[np.float64]:
-    """Returns the power of each degree: the mean square, over the sphere, of what the functions have of it together.
+    """Compute the power of each degree.
 
-    It depends neither on the normalization nor on any rotation.
+    The power of a degree is the mean square, over the sphere, of the part of this degree, summed over all functions. It is
+    independent of the normalization and invariant under rotations.
 
     Parameters
     ----------
-    coefficients : (..., 2, L + 1, L + 1) array_like of numbers
-        Those of any number of functions, such as the coordinates of a surface.
+    coefficients : (..., 2, L + 1, L + 1) array_like of float
+        Coefficients of any number of functions, such as the coordinates of a surface.
     normalization : {"4pi", "ortho", "schmidt"}
-        That of the coefficients; see `expand`.
+        Normalization of the coefficients, see `expand`.
 
     Returns
     -------
     (L + 1,) ndarray of float64
-        The power of the degrees 0 to L, in the square of the unit of the functions.
+        Power of the degrees 0 to L, in the square of the unit of the functions.
 
     Raises
     ------
     Error
-        If coefficients are not of a shape that has been named.
+        If the shape of the coefficients is not the one above.
+
+    Examples
+    --------
+    >>> coefficients = np.zeros((2, 3, 3))
+    >>> coefficients[0, 2, 1] = 3
+    >>> sp.spectrum(coefficients)
+    array([0., 0., 9.])
     """
     array, _ = read_table_of_coefficients(coefficients)
     check_word("normalization", normalization, NORMALIZATIONS)
     degrees = np.arange(array.shape[-1])
     factors = {"4pi": 1.0, "ortho": 4 * np.pi, "schmidt": 2 * degrees + 1}[normalization]
     squares = np.tril(array**2)
-    squares[:, 1, :, 0] = 0  # no sine
+    squares[:, 1, :, 0] = 0  # the sine of order 0
     return np.asarray(squares.sum(axis=(0, 1, 3)) / factors)
 
 
 class StandardPosition(NamedTuple):
-    """How a surface has come into standard position, and how sure that is.
+    """Standard position of a surface: the motion applied and its reliability.
 
     Attributes
     ----------
     rotation_of_surface, rotation_of_sphere : (3, 3) ndarray of float64
-        A point p has come to ``rotation_of_surface @ (p - center)``, a direction q to ``rotation_of_sphere @ q``.
+        A point p moves to ``rotation_of_surface @ (p - center)``, a direction q to ``rotation_of_sphere @ q``.
     center : (3,) ndarray of float64
-        The mean of the surface over the sphere, in its unit.
+        Mean of the surface over the sphere, in the unit of the surface.
     semi_axes : (3,) ndarray of float64
-        Half the lengths of the axes of the ellipsoid of degree 1, in the unit of the surface, the largest one first; the last one
-        is negative if the surface is inside out: then turn its faces, ``faces[:, ::-1]``, and map it again.
+        Semi-axes of the ellipsoid of degree 1, in the unit of the surface, the largest one first. The last one is negative
+        if the surface is inside out: then reverse its faces, ``faces[:, ::-1]``, and map it again.
     skewness : (3,) ndarray of float64
-        Third moments along the axes over the powers 3/2 of the second ones: positive for the first two.
+        Third moments along the axes over the powers 3/2 of the second moments. The first two are positive.
     axes_are_determined : bool
-        Whether no two axes are of the same length, up to a hundredth: otherwise noise turns the surface about the third one.
+        Whether the lengths of any two axes differ by more than a hundredth. Otherwise, noise determines the rotation about
+        the third axis.
     signs_are_determined : bool
-        Whether the skewness along the first two axes is above a hundredth: otherwise noise turns the surface by half a turn.
+        Whether the skewness along the first two axes is above a hundredth. Otherwise, noise determines whether the surface
+        is rotated by a half-turn.
     """
 
     rotation_of_surface: NDArray[np.float64]
@@ -289,32 +326,41 @@ class StandardPosition(NamedTuple):
 def standard_position(
     coefficients: ArrayLike, *, normalization: str = "4pi", csphase: int = 1, threads: Optional[int] = None
 ) -> Tuple[NDArray[np.float64], StandardPosition]:
-    """Moves a surface, and turns its sphere, such that the ellipsoid of degree 1 lies along the axes of both.
+    """Move a surface to standard position and rotate its sphere accordingly.
 
-    So surfaces of the same kind can be compared by their coefficients, wherever they were. Nothing is scaled.
+    The center of the ellipsoid of degree 1 moves to the origin. Its axes are aligned with the coordinate axes, in space and
+    on the sphere. The coefficients of similar surfaces then become comparable, whatever their original pose. The scale does
+    not change.
 
     Parameters
     ----------
-    coefficients : (3, 2, L + 1, L + 1) array_like of numbers
-        Those of the surface, of the degree 1 or more; they are not changed.
+    coefficients : (3, 2, L + 1, L + 1) array_like of float
+        Coefficients of the surface, L > 0. They are not modified.
     normalization : {"4pi", "ortho", "schmidt"}
-        That of the coefficients; see `expand`.
+        Normalization of the coefficients, see `expand`.
     csphase : {1, -1}
-        That of the coefficients.
+        Phase of the coefficients, see `expand`.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     coefficients : (3, 2, L + 1, L + 1) ndarray of float64
-        Those of the surface that has been moved, with the same normalization.
+        Coefficients of the moved surface, with the same normalization.
     position : StandardPosition
-        What has been done, and whether noise has decided it.
+        The motion, and whether noise determines it.
 
     Raises
     ------
     Error
         If the ellipsoid is a point or a line.
+
+    Examples
+    --------
+    >>> coefficients, fit = sp.expand(vertices, faces, sphere, 8)
+    >>> coefficients, position = sp.standard_position(coefficients)
+    >>> position.axes_are_determined  # the tetrahedron has no longest axis
+    False
     """
     array, functions = read_table_of_coefficients(coefficients)
     convention = read_convention(normalization, csphase)

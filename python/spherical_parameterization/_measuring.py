@@ -15,14 +15,16 @@ from ._meshes import Mesh, accepts_mesh, is_mesh
 
 @dataclass(frozen=True)
 class Measure:
-    """One measure of distortion: its value for each face, and their statistics, without degenerate faces.
+    """One measure of distortion: its value for each face, and statistics over the faces.
+
+    Degenerate faces are excluded from the statistics.
 
     Attributes
     ----------
     values : (m,) ndarray of float64
-        Infinite for faces that have no area, in space or on the sphere.
+        Values of the faces; infinite for faces without area, in space or on the sphere.
     maximum, average, deviation : float
-        Each face counts the same.
+        Maximum, mean and standard deviation. Each face counts the same.
     """
 
     values: NDArray[np.float64]
@@ -33,22 +35,25 @@ class Measure:
 
 @dataclass(frozen=True)
 class Distortion:
-    """How much a map distorts faces. With s1 <= s2 the singular values of the map of a face:
+    """Distortion of the faces of a mesh by a map to the sphere.
+
+    With s1 <= s2 the singular values of the map of a face:
 
     Attributes
     ----------
     isometric : Measure
-        max(s2, 1 / s1), the largest factor by which a length is wrong: 1 for an isometry.
+        max(s2, 1 / s1), the largest factor by which a length changes: 1 for an isometry.
     area : Measure
-        s1 s2 + 1 / (s1 s2): 2 if the area stays the same.
+        s1 s2 + 1 / (s1 s2): 2 if the area is preserved.
     angle : Measure
-        s1 / s2 + s2 / s1: 2 if the angles stay the same.
+        s1 / s2 + s2 / s1: 2 if the angles are preserved.
     is_inverted : (m,) ndarray of bool
         Whether a face is not positively oriented as seen from the origin, by an exact predicate.
     radius : float
-        The average distance of the images from the origin.
+        Mean distance of the images from the origin.
     number_of_inverted_faces, number_of_degenerate_faces : int
-        Degenerate faces are too thin to have a distortion, and left out of the statistics; if all are, these are infinite.
+        Degenerate faces are too thin to have a distortion. They are excluded from the statistics. If all faces are
+        degenerate, the statistics are infinite.
     """
 
     isometric: Measure
@@ -62,24 +67,40 @@ class Distortion:
 
 @accepts_mesh
 def find_defect(vertices: ArrayLike, faces: ArrayLike) -> Optional[Error]:
-    """Returns what keeps a mesh from being mapped to the sphere, or None if nothing does.
+    """Find the defect that prevents a mesh from being mapped to the sphere.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
 
     Returns
     -------
     Error or None
-        What `parameterize` would raise: what is wrong, where, and what helps.
+        The error that `parameterize` would raise, with the defect, its location and a remedy; None if the mesh can be
+        mapped.
 
     Raises
     ------
     Error
-        If the arrays are no mesh: they have another shape, or an index is out of its range.
+        If the arrays are not a mesh: their shapes are wrong, or an index is out of range.
+
+    See Also
+    --------
+    repair_surface : Repair defects.
+
+    Notes
+    -----
+    The time is linear in the size of the mesh.
+
+    Examples
+    --------
+    >>> sp.find_defect(vertices, faces) is None
+    True
+    >>> sp.find_defect(vertices, faces[1:]).code.name
+    'NON_CLOSED_MESH'
     """
     try:
         _core.find_defect(read_points("vertices", vertices), read_faces("faces", faces))
@@ -91,73 +112,89 @@ def find_defect(vertices: ArrayLike, faces: ArrayLike) -> Optional[Error]:
 
 
 def is_bijective(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> bool:
-    """Returns whether a map from a mesh to the sphere is one-to-one, by exact arithmetic.
+    """Check by exact arithmetic whether a map to the sphere is bijective.
 
     Parameters
     ----------
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices, at any distance from the origin; those of vertices without a face do not matter.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
+    sphere : (n, 3) array_like of float
+        Images of the vertices, at any distance from the origin. Images of vertices without a face are ignored.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     bool
-        False as well if the faces are no closed surface without handles, or a coordinate is not finite.
+        Whether the map is bijective. Also False if the faces are not a closed surface of genus 0, or if a coordinate is
+        not finite.
 
     Raises
     ------
     Error
-        If the arrays are no mesh: they have another shape, or an index is out of its range.
+        If the arrays are not a mesh: their shapes are wrong, or an index is out of range.
 
     Notes
     -----
-    A map is one-to-one if and only if every face is positively oriented as seen from the origin and the faces cover the
+    A map is bijective if and only if every face is positively oriented as seen from the origin and the faces cover the
     sphere once. The time is linear in the number of faces.
+
+    Examples
+    --------
+    >>> sp.is_bijective(faces, sphere)
+    True
+    >>> sp.is_bijective(faces, -sphere)
+    False
     """
     return _core.is_bijective(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
 
 def round_to_float(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> NDArray[np.float32]:
-    """Rounds a map to the sphere to numbers of 32 bits, as many files hold them, such that it stays one-to-one.
+    """Round a map to the sphere to single precision and keep it bijective.
+
+    Many file formats hold coordinates in single precision.
 
     Parameters
     ----------
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices, a one-to-one map.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
+    sphere : (n, 3) array_like of float
+        Images of the vertices, a bijective map.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
-    (n, 3) numpy.ndarray of float32
-        The images, by exact arithmetic one-to-one as they are: the nearest numbers, or, where these fold a face, others
-        nearby. Those of vertices without a face are rounded.
+    (n, 3) ndarray of float32
+        Rounded images, certified bijective by exact arithmetic: the nearest single-precision coordinates or, where these
+        invert a face, others nearby. Images of vertices without a face are rounded to the nearest.
 
     Raises
     ------
     Error
-        If the map is not one-to-one, or no such images were found, as where hundreds of vertices have less room than these
-        numbers tell apart; or if the arrays are no closed mesh.
+        If the map is not bijective; if no such images were found, for example where hundreds of vertices are closer to each
+        other than the resolution of single precision; or if the arrays are not a closed mesh.
+
+    Examples
+    --------
+    >>> rounded = sp.round_to_float(faces, sphere)
+    >>> sp.is_bijective(faces, rounded)
+    True
     """
     return _core.round_to_float(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
 
 class SulcalMeasures(NamedTuple):
-    """How a surface is folded: a number for each vertex, positive in furrows and negative on ridges.
+    """Curvature and depth at each vertex: positive in sulci, negative on gyri.
 
     Attributes
     ----------
     curvature : (n,) ndarray of float64
-        Mean curvature, in units of one over that of the coordinates.
+        Mean curvature, in the reciprocal of the unit of the coordinates.
     depth : (n,) ndarray of float64
-        How far the vertex is inside of the smoothed surface, in the unit of the coordinates; 0 on average.
+        Depth of the vertex below the smoothed surface, in the unit of the coordinates; its mean is 0.
     inflated_curvature : (n,) ndarray of float64
-        Mean curvature of the smoothed surface, which has the lobes and the deepest furrows alone.
+        Mean curvature of the smoothed surface, which has only the lobes and the deepest sulci.
     """
 
     curvature: NDArray[np.float64]
@@ -167,39 +204,46 @@ class SulcalMeasures(NamedTuple):
 
 @accepts_mesh
 def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: Optional[int] = None) -> SulcalMeasures:
-    """Measures the curvature and the depth of the folds of a surface, such as a cortex: features for `map_surface`.
+    """Compute the curvature and the sulcal depth of a surface, such as a cortical surface.
+
+    The measures can be features for `map_surface`.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle, counterclockwise as seen from outside.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle, counterclockwise as seen from outside.
     threads : int, optional
-        The largest number of threads; by default all cores. The result does not depend on it.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     SulcalMeasures
-        0 for vertices without a face.
+        The measures; 0 for vertices without a face.
 
     Raises
     ------
     Error
-        If the arrays are no closed surface without handles.
+        If the mesh is not a closed surface of genus 0, see `find_defect`.
 
     Notes
     -----
-    The surface is smoothed by heat that is conducted on it, for times in units of its area: 1.5e-5 for the curvature and
-    1e-3 for the depth. So the values do not depend on where the surface is and how it is sampled.
+    The surface is smoothed by implicit mean curvature flow, in units in which its area is 1: for the time 1.5e-5 for the
+    curvature and 1e-3 for the depth. The measures are invariant under rigid motions and, up to sampling errors,
+    independent of the triangulation. The time is O(n**1.5).
 
     Examples
     --------
-    The folds of two cortical surfaces lead a map from one to the other:
+    The measures of two cortical surfaces guide the map from one to the other:
 
-    >>> folding1, folding2 = sp.compute_sulcal_measures(vertices1, faces1), sp.compute_sulcal_measures(vertices2, faces2)
-    >>> features = [(folding1.depth, folding2.depth), (folding1.inflated_curvature, folding2.inflated_curvature)]
-    >>> directions, report = sp.map_surface(surface1, surface2, features=features, feature_weight=2, compare_values=True)
+    >>> first = sp.compute_sulcal_measures(vertices, faces)
+    >>> other = sp.remesh(vertices, faces, sphere, ("icosahedron", 5))
+    >>> second = sp.compute_sulcal_measures(other.vertices, other.faces)
+    >>> features = [(first.depth, second.depth), (first.inflated_curvature, second.inflated_curvature)]
+    >>> directions, report = sp.map_surface(
+    ...     (vertices, faces, sphere), other, features=features, feature_weight=2, compare_values=True
+    ... )
     """
     return SulcalMeasures(
         *_core.compute_sulcal_measures(read_points("vertices", vertices), read_faces("faces", faces), read_threads(threads))
@@ -210,28 +254,28 @@ def compute_sulcal_measures(vertices: ArrayLike, faces: ArrayLike, *, threads: O
 def measure_distortion(
     vertices: ArrayLike, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None
 ) -> Distortion:
-    """Measures how much a map to the sphere distorts the faces of a mesh, each one and all together.
+    """Measure how much a map to the sphere distorts the faces of a mesh.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle. They need not be a closed surface.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle. They need not form a closed surface.
+    sphere : (n, 3) array_like of float
+        Images of the vertices.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     Distortion
-        The measures, face by face, and their statistics.
+        The measures of each face and their statistics.
 
     Raises
     ------
     Error
-        If the arrays are no mesh, there is no face, or two faces use an edge in the same direction.
+        If the arrays are not a mesh, if there is no face, or if two faces traverse an edge in the same direction.
 
     Notes
     -----
@@ -241,6 +285,12 @@ def measure_distortion(
     ----------
     .. [1] C. Wang, X. Hu, X. Fu, L. Liu: Bijective spherical parametrization with low distortion. Computers & Graphics 58,
        2016.
+
+    Examples
+    --------
+    >>> distortion = sp.measure_distortion(vertices, faces, sphere)
+    >>> distortion.isometric.values.shape, distortion.number_of_inverted_faces
+    ((512,), 0)
     """
     result = _core.measure_distortion(*read_surface(vertices, faces, sphere), read_threads(threads))
     for name in ("isometric", "area", "angle"):
@@ -249,14 +299,14 @@ def measure_distortion(
 
 
 class OneWayDistance(NamedTuple):
-    """Distances from places of one surface to the nearest places of another one, in their unit of length.
+    """Distances from points of one surface to the nearest points of another one.
 
     Attributes
     ----------
     root_mean_square : float
-        The root of the mean of their squares.
+        Root mean square distance, in the unit of the surfaces.
     maximum : float
-        The largest one.
+        Maximum distance, in the unit of the surfaces.
     """
 
     root_mean_square: float
@@ -265,14 +315,14 @@ class OneWayDistance(NamedTuple):
 
 @dataclass(frozen=True)
 class SurfaceDistance:
-    """How far two surfaces are apart.
+    """Distance between two surfaces.
 
     Attributes
     ----------
     from_first, from_second : OneWayDistance
-        From places of the first surface to the second one, and the other way.
+        Distances from points of the first surface to the second one, and from points of the second one to the first.
     diagonal : float
-        The diagonal of the bounding box of the first surface.
+        Diagonal of the bounding box of the first surface.
     """
 
     from_first: OneWayDistance
@@ -281,9 +331,9 @@ class SurfaceDistance:
 
     @property
     def psnr(self) -> float:
-        """The peak signal-to-noise ratio in decibels, 20 log10 of the diagonal over the larger root mean square."""
+        """Peak signal-to-noise ratio in decibels: 20 log10 of the diagonal over the larger root mean square distance."""
         error = max(self.from_first.root_mean_square, self.from_second.root_mean_square)
-        with np.errstate(all="ignore"):  # infinite for a distance of 0
+        with np.errstate(all="ignore"):  # infinite if the distance is 0
             return float(20 * np.log10(np.divide(self.diagonal, error)))
 
 
@@ -294,19 +344,19 @@ def measure_distance(
     number_of_points: int = 30000,
     threads: Optional[int] = None,
 ) -> SurfaceDistance:
-    """Measures how far two surfaces are apart, such as a surface and its remesh.
+    """Measure the distance between two surfaces, such as a surface and its remesh.
 
-    From places of each, spread evenly over its area, the distances to the nearest places of the other one are measured. The
-    places are always the same for the same meshes, so that the result is, too.
+    Points are spread evenly over the area of each surface. The distance from each point to the nearest point of the other
+    surface is measured. The points, and so the result, are always the same for the same meshes.
 
     Parameters
     ----------
     surface1, surface2 : (vertices, faces)
-        Each surface: its points, (n, 3) numbers, and its triangles, (m, 3) integers. They need not be closed.
+        Each surface: its points, (n, 3) float, and its triangles, (m, 3) int; or a mesh object. They need not be closed.
     number_of_points : int
-        The number of places on each surface, at least 1.
+        Number of points on each surface, at least 1.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
@@ -316,12 +366,19 @@ def measure_distance(
     Raises
     ------
     Error
-        If arrays are no mesh, there is no face, two faces use an edge in the same direction, or a point is not finite.
+        If arrays are not a mesh, if there is no face, if two faces traverse an edge in the same direction, or if a point is
+        not finite.
 
     Notes
     -----
-    The maximum is a lower bound of the Hausdorff distance, as it is that of the places. The time is O((n + k) log n) for n
-    faces and k places, as a rule.
+    The maximum is a lower bound of the Hausdorff distance, because it is that of the sampled points. The time is usually
+    O((n + k) log n) for n faces and k points.
+
+    Examples
+    --------
+    >>> even = sp.remesh(vertices, faces, sphere, ("octahedron", 16))
+    >>> sp.measure_distance((vertices, faces), (even.vertices, even.faces)).psnr > 30
+    True
     """
     n = operator.index(number_of_points)
     if not 1 <= n < 2**31:

@@ -1,4 +1,4 @@
-"""Meshes of other libraries, instead of vertices and faces."""
+"""Mesh objects of other libraries, which may replace vertices and faces."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._errors import Error
 
 
 class Mesh(Protocol):
-    """What has `faces`, and `vertices` (as of trimesh) or `points` (as of PyVista)."""
+    """An object that has `faces` and either `vertices` (trimesh) or `points` (PyVista)."""
 
     @property
     def faces(self) -> Any: ...
@@ -40,17 +40,17 @@ def is_mesh(value: Any) -> bool:
 
 
 def split_mesh(mesh: Any) -> Tuple[ArrayLike, ArrayLike]:
-    """Returns the vertices and the faces of a mesh. PyVista has the faces in one row, each after its number of vertices."""
+    """Return the vertices and faces of a mesh. PyVista has a flat array of faces, each preceded by its number of vertices."""
     faces = mesh.faces
     if isinstance(faces, np.ndarray) and faces.ndim == 1 and len(faces):
         if len(faces) % 4 or (faces[::4] != 3).any():
-            raise Error("the mesh has faces that are no triangles: triangulate it before", ErrorCode.NON_TRIANGULAR_MESH)
+            raise Error("the mesh has faces that are not triangles: triangulate it first", ErrorCode.NON_TRIANGULAR_MESH)
         faces = faces.reshape(-1, 4)[:, 1:]
     return mesh.vertices if hasattr(mesh, "vertices") else mesh.points, faces
 
 
 def accepts_mesh(function: Callable[Concatenate[ArrayLike, ArrayLike, P], R]) -> OfMesh[P, R]:
-    """Lets a mesh take the place of the first two arguments of a function, the vertices and the faces."""
+    """Let a mesh object replace the first two arguments of a function, `vertices` and `faces`."""
 
     @functools.wraps(function)
     def call(*args: Any, **kwargs: Any) -> Any:

@@ -15,21 +15,21 @@ MAX_MAGNITUDE = 1e300
 
 @dataclass(frozen=True)
 class ShapeModes:
-    """The mean of shapes, and the modes by which they differ from it, the largest one first: what `shape_modes` has found.
+    """Mean shape and shape modes (principal components), as computed by `shape_modes`.
 
     Attributes
     ----------
     mean : (...) ndarray of float64
-        The mean shape.
+        Mean shape.
     modes : (j, ...) ndarray of float64
-        The directions in which shapes vary, of length 1 and at right angles to each other: at most k - 1 for k shapes.
+        Orthonormal directions in which the shapes vary, in descending order of variance: at most k - 1 for k shapes.
     deviations : (j,) ndarray of float64
-        The standard deviation along each mode, in the unit of the shapes, as the root of the sum of squares over all numbers: of
-        n vertices, divided by the root of n, it is the root mean square of how far they move.
+        Standard deviation along each mode, in the unit of the shapes, as the root of the sum of squares over all numbers.
+        Divided by the square root of the number of vertices, it is the root mean square displacement of the vertices.
     scores : (k, j) ndarray of float64
-        Where each shape lies along each mode, in standard deviations from the mean. Columns are uncorrelated.
+        Coordinates of each shape along the modes, in standard deviations from the mean. Columns are uncorrelated.
     shares : (j,) ndarray of float64
-        The share of each mode in the variance of all numbers; together 1.
+        Fraction of the total variance in each mode. The sum is 1.
     """
 
     mean: NDArray[np.float64]
@@ -39,12 +39,12 @@ class ShapeModes:
     shares: NDArray[np.float64]
 
     def shape(self, scores: ArrayLike) -> NDArray[np.float64]:
-        """Returns the shape with these scores in the first modes, and 0 in all others.
+        """Return the shape with the given scores in the first modes and 0 in all others.
 
         Parameters
         ----------
-        scores : (i,) array_like of numbers
-            Standard deviations along the first i modes: ``[2]`` is the mean and two deviations of the first mode.
+        scores : (i,) array_like of float
+            Standard deviations along the first i modes: ``[2]`` is the mean plus two deviations of the first mode.
 
         Returns
         -------
@@ -54,7 +54,7 @@ class ShapeModes:
         Raises
         ------
         Error
-            If there are more scores than modes, or one is not finite.
+            If there are more scores than modes, or if a score is not finite.
         """
         array = to_array("scores", scores)
         if array.dtype.kind not in "fiu":
@@ -77,7 +77,7 @@ def _align(shapes: NDArray[np.float64], scales: bool) -> NDArray[np.float64]:
     mean = shapes[0]
     for _ in range(MAX_ALIGNMENTS):
         left, _, right = np.linalg.svd(np.swapaxes(shapes, 1, 2) @ mean)
-        left[:, :, 2] *= np.sign(np.linalg.det(left @ right))[:, None]  # turns it, and never mirrors it
+        left[:, :, 2] *= np.sign(np.linalg.det(left @ right))[:, None]  # a rotation, never a reflection
         shapes = shapes @ (left @ right)
         previous, mean = mean, shapes.mean(axis=0)
         if np.linalg.norm(mean - previous) <= 1e-12 * np.linalg.norm(mean):
@@ -86,19 +86,20 @@ def _align(shapes: NDArray[np.float64], scales: bool) -> NDArray[np.float64]:
 
 
 def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> ShapeModes:
-    """Finds the mean of shapes that correspond number by number, and the modes in which they vary: their principal components.
+    """Compute the mean and the shape modes (principal components) of corresponding shapes.
 
     Parameters
     ----------
-    shapes : (k, n, 3) or (k, ...) array_like of numbers
-        Two shapes or more: the vertices of surfaces in the same order, as `remesh` makes them with the triangles and the images
-        that `map_surface` returns; or any other numbers, such as the coefficients of `standard_position`.
+    shapes : (k, n, 3) or (k, ...) array_like of float
+        Two or more shapes: corresponding vertices of surfaces, such as `remesh` returns for the triangles of the first
+        surface and the directions that `map_surface` returns; or other numbers, such as the coefficients that
+        `standard_position` returns.
     align : {"rotation", "similarity", "none"}
-        How shapes are brought together before. "rotation" moves and turns each to where the sum of squares between it and the
-        mean is least, so that place and pose of the whole are no modes; "similarity" scales each to the mean size as well, the
-        root of the sum of squared distances from the middle, so that size is no mode either. Both take (k, n, 3), and leave
-        the middle of all vertices at 0, turned as the first shape. "none" takes all as it is: coefficients, or surfaces whose
-        places in space mean something.
+        Alignment of the shapes. "rotation" translates and rotates each shape to minimize the sum of squared distances from
+        the mean, so that no mode describes position or orientation in space. "similarity" also scales each shape to the
+        mean size, the root of the sum of squared distances from the centroid, so that no mode describes size. Both take
+        (k, n, 3), move the centroid of the vertices to 0, and keep the orientation of the first shape. "none" uses the
+        shapes as they are: coefficients, or surfaces whose positions in space are meaningful.
 
     Returns
     -------
@@ -108,14 +109,14 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
     Raises
     ------
     Error
-        If there are fewer than two shapes, they are not of one shape, or a number is not finite, or beyond 1e300.
+        If there are fewer than two shapes, if their array shapes differ, or if a number is not finite or beyond 1e300.
 
     Notes
     -----
-    The alignment is the generalized Procrustes analysis [1]_, without mirror images. Modes are right singular vectors, with signs
-    such that the number of the largest magnitude of each is positive; those whose deviation is rounding are left out. Modes whose
-    deviations are alike may be any mixture of each other. All numbers count alike: where the vertices of a template are dense,
-    a surface counts more. For n numbers, the time is O(k**2 n).
+    The alignment is generalized Procrustes analysis [1]_ without reflections. Modes are right singular vectors. Their signs
+    make the number of largest magnitude in each mode positive. Modes whose deviation is at the level of rounding errors are
+    omitted. Modes with similar deviations may be any mixture of each other. All numbers count the same: regions where the
+    vertices of a template are dense count more. The time is O(k**2 n) for shapes of n numbers.
 
     References
     ----------
@@ -123,38 +124,42 @@ def shape_modes(shapes: Sequence[ArrayLike], *, align: str = "rotation") -> Shap
 
     Examples
     --------
-    Other surfaces with the faces of the first one, their mean and the first mode:
+    Three ellipsoids that differ in one direction have a single mode:
 
-    >>> maps = [sp.map_surface(first, surface)[0] for surface in surfaces]
-    >>> result = sp.shape_modes([sp.remesh(*s, (first[1], d)).vertices for s, d in zip(surfaces, maps)])
-    >>> result.mean, result.shape([-2]), result.shape([2]), result.scores[:, 0]
+    >>> shapes = [sphere * [1, 1, s] for s in (1, 2, 3)]
+    >>> result = sp.shape_modes(shapes, align="none")
+    >>> result.shares
+    array([1.])
+    >>> np.allclose(abs(result.scores[:, 0]), [1, 0, 1])
+    True
+    >>> stretched = result.shape([2])  # two standard deviations from the mean
     """
     check_word("align", align, ("rotation", "similarity", "none"))
     for i, shape in enumerate(shapes):
         if isinstance(shape, Remesh):
-            raise TypeError(f"shapes[{i}] is what remesh or reconstruct returns: give its vertices")
+            raise TypeError(f"shapes[{i}] is a result of remesh or reconstruct: give its vertices")
     arrays = [to_array(f"shapes[{i}]", shape) for i, shape in enumerate(shapes)]
     if len(arrays) < 2:
-        refuse(f"shapes has {len(arrays)} of them; there have to be at least 2")
+        refuse(f"there are {len(arrays)} shapes; there have to be at least 2")
     for i, array in enumerate(arrays):
         if array.dtype.kind not in "bfiu":
             raise TypeError(f"shapes[{i}] has the type {array.dtype}; it has to hold real numbers")
         if array.shape != arrays[0].shape or array.size == 0:
             refuse(
                 f"shapes[{i}] has the shape {array.shape}, and shapes[0] {arrays[0].shape}; all have to be the same, and not"
-                " empty.\nSurfaces with other faces are registered by map_surface and remesh."
+                " empty.\nmap_surface and remesh give surfaces the same faces."
             )
         if not np.isfinite(array).all():
             refuse(f"shapes[{i}] is infinite or not a number at {tuple(np.argwhere(~np.isfinite(array))[0].tolist())}")
     stack: NDArray[Any] = np.array(arrays, dtype=np.float64)
     magnitude = np.abs(stack).max()
     if magnitude > MAX_MAGNITUDE:
-        refuse(f"shapes have numbers up to {magnitude:.3g}, but sums of squares hold none beyond {MAX_MAGNITUDE:g}: choose another unit")
-    unit = np.ldexp(1.0, np.frexp(magnitude)[1])  # a power of 2, which changes no digits, but squares overflow without it
+        refuse(f"shapes have numbers up to {magnitude:.3g}, but sums of squares overflow beyond {MAX_MAGNITUDE:g}: choose another unit")
+    unit = np.ldexp(1.0, np.frexp(magnitude)[1])  # a power of 2: exact, and squares do not overflow
     stack /= unit
     if align != "none":
         if stack.ndim != 3 or stack.shape[2] != 3:
-            refuse(f'shapes have the shape {stack.shape[1:]}; only (n, 3) can be aligned, others take align="none"')
+            refuse(f'shapes have the shape {stack.shape[1:]}; only (n, 3) can be aligned: set align="none"')
         stack = _align(stack, align == "similarity")
 
     mean = stack.mean(axis=0)

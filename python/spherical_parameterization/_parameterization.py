@@ -12,27 +12,28 @@ from ._arguments import check_word, read_density, read_faces, read_points, read_
 from ._meshes import accepts_mesh
 
 
-MAX_DEVIATION_OF_AREAS = 0.01  # from which on a warning is given; they count as reached up to 0.001
+MAX_DEVIATION_OF_AREAS = 0.01  # above it, a warning is issued; areas count as reached up to 0.001
 
 
 @dataclass(frozen=True)
 class Areas:
-    """How near `parameterize` has come to the areas that were wanted.
+    """Accuracy of prescribed areas, as reached by `parameterize`.
+
+    The cell of a vertex is a third of each spherical triangle around it.
 
     Attributes
     ----------
     ratios : (n,) ndarray of float64
-        The area of the cell of each vertex on the sphere, a third of that of the spherical triangles around it, over the
-        area that was wanted; 1 for vertices without a face.
+        Area of the cell of each vertex over the prescribed area; 1 for vertices without a face.
     deviation : float
-        The standard deviation of the ratios over their mean.
+        Standard deviation of the ratios over their mean.
     largest_deviation : float
-        The largest difference of a ratio from 1.
+        Largest difference of a ratio from 1.
     number_of_off_vertices : int
         Vertices whose ratio differs from 1 by more than 0.01.
     number_of_raised_faces : int
-        Faces whose area times density is below a millionth of the mean, which was wanted for them instead: ratios and
-        `is_reached` are about that.
+        Faces whose area times density is below a millionth of the mean. This millionth is prescribed for them instead;
+        ratios and `is_reached` refer to it.
     number_of_steps : int
         Steps of all vertices together, after the sweeps.
     is_reached : bool
@@ -50,33 +51,33 @@ class Areas:
 
 @dataclass(frozen=True)
 class Report:
-    """What `parameterize` did.
+    """Report of a run of `parameterize`.
 
     Attributes
     ----------
     number_of_vertices, number_of_faces : int
-        What was mapped.
+        Mapped vertices and faces.
     number_of_isolated_vertices : int
         Vertices without a face, which have no image.
     number_of_flat_faces : int
-        Faces (nearly) without area, mapped as if they were a little less flat.
+        Faces (nearly) without area, mapped as if they were slightly less flat.
     radius : float
-        The radius of the sphere, in the unit of length of the mesh.
+        Radius of the sphere, in the unit of length of the mesh.
     stop_reason : str
-        Why the run ended, which does not tell whether areas are as wanted: "converged", "iteration limit", "time limit", "stopped by the visitor" (the callback or an
-        interruption) or "no acceptable step left".
+        Why the run ended: "converged", "iteration limit", "time limit", "stopped by the visitor" (by the callback or an
+        interruption) or "no acceptable step left". It does not state whether prescribed areas are reached.
     number_of_levels : int
-        Levels of the hierarchy that the first map was made by.
+        Levels of the hierarchy that computed the initial map.
     used_last_resort : bool
-        Whether the hierarchy has found no map, so that the first one is Schnyder's, which always exists.
+        Whether the hierarchy found no map, so that the initial map is Schnyder's, which always exists.
     number_of_iterations : int
         Sweeps over the mesh.
     initial_energy, average_energy, largest_energy : float
-        The energy of a face: the average of the first map, the average and the largest of the last one.
+        Energy per face: the mean of the initial map, and the mean and the maximum of the final map.
     seconds : float
-        The time of the run.
+        Duration of the run.
     areas : Areas or None
-        How near the areas are to what was wanted, if `density` was given.
+        Accuracy of the prescribed areas if `density` was given.
     """
 
     number_of_vertices: int
@@ -109,76 +110,95 @@ def parameterize(
     callback: Optional[Callable[[int, float, float], Any]] = None,
     on_interrupt: str = "raise",
 ) -> Tuple[NDArray[np.float64], Report]:
-    """Maps a closed triangle mesh without handles one-to-one to a sphere around the origin, with low distortion.
+    """Map a closed triangle mesh of genus 0 bijectively to a sphere around the origin, with low distortion.
 
-    The map is certified by exact arithmetic, also if it was stopped early. Every closed triangle mesh without handles has
-    one, also in double precision, by a theorem up to 10,000,000 vertices.
+    Exact arithmetic certifies that the map is bijective, even if the run was stopped early. Every closed triangle mesh of
+    genus 0 has such a map in double precision; for up to 10,000,000 vertices, this is a theorem.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle, counterclockwise as seen from outside.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle, counterclockwise as seen from outside.
     prefer : {"balance", "average", "worst", "sampling"}
-        The lowest average distortion, the lowest worst, or a balance of both. Or samples that are even on the sphere
-        and as even as possible on the surface, for `remesh` and `transfer`.
+        Objective: the lowest average distortion, the lowest worst distortion, or a balance of both. "sampling" makes
+        samples that are even on the sphere as even as possible on the surface, for `remesh` and `transfer`.
     energy : {"symmetric-dirichlet", "isometric", "conformal", "stretch"}
-        What is lowered. "conformal" keeps angles, on a sphere of the radius 1 unless there is a `density`, against which it
-        works: with it, areas are missed on most surfaces with extremities. ``prefer="sampling"`` has an energy of its own, "stretch".
-    initial : (n, 3) array_like of numbers or "schnyder", optional
-        The map to start from, one-to-one, at any distance from the origin; or Schnyder's, which the connectivity decides, and which
-        is one-to-one by a theorem. By default, a hierarchy finds one.
-    density : (n,) or (m,) array_like of numbers or "equal", optional
-        What share of the sphere each part of the surface gets: that of its area times a density, finite, at least 0, and in any
-        unit; "equal" is 1 everywhere. It is given for each face, or for each vertex, whose mean over the three of a face is that
-        of the face. Faces that are to get less than a millionth of the mean area, as by a density of 0, get a millionth. The
-        areas are those of the cells of vertices, see `Areas`; smooth densities are met up to a contrast of a million, those with
-        steps may be missed, which `Areas` tells. Not with `initial`; it takes some times longer.
+        Minimized energy. "conformal" preserves angles, on a sphere of radius 1 unless `density` is given. It works against
+        a `density`: on most surfaces with extremities, the prescribed areas are then missed. ``prefer="sampling"`` has its
+        own energy, "stretch".
+    initial : (n, 3) array_like of float or "schnyder", optional
+        Initial map, bijective, at any distance from the origin; or Schnyder's map, which depends only on the connectivity
+        and is bijective by a theorem. By default, a hierarchy computes the initial map.
+    density : (n,) or (m,) array_like of float or "equal", optional
+        Prescribed areas: a density for each vertex or for each face, finite, at least 0 and in any unit. Each part of the
+        surface gets the fraction of the sphere's area that is proportional to its area times its density. "equal" is 1
+        everywhere. The density of a face is the mean over its vertices. Faces that would get less than a millionth of the
+        mean area, for example with density 0, get a millionth. The prescribed areas are those of the cells of vertices, see
+        `Areas`. Smooth densities are reached up to a contrast of a million. Densities with steps may be missed, which
+        `Areas` reports. It cannot be combined with `initial`, and takes several times longer.
     threads : int, optional
-        The largest number of threads; by default all cores. The map has the same bits with any number.
+        Maximum number of threads. By default, all cores. The map has the same bits for any number.
     time_limit : float, optional
-        The time in seconds after which the map reached by then is returned. The first map is completed in any case.
+        Time in seconds after which the current map is returned. The initial map is always completed.
     callback : callable, optional
         Called after each sweep over the mesh as ``callback(iteration, energy, radius)``. If it returns a false value
-        other than None, the map reached by then is returned. What it raises reaches the caller.
+        other than None, the current map is returned. Its exceptions reach the caller.
     on_interrupt : {"raise", "return"}
-        What Ctrl-C does: raise KeyboardInterrupt, or return the map reached by then. It is noticed between two sweeps,
-        and between the levels of the first map.
+        Effect of Ctrl-C: raise KeyboardInterrupt, or return the current map. It takes effect between two sweeps, and
+        between the levels of the initial map.
 
     Returns
     -------
     sphere : (n, 3) ndarray of float64
-        The images of the vertices, in the unit of length of the mesh; NaN for vertices without a face.
+        Images of the vertices, in the unit of length of the mesh; NaN for vertices without a face.
     report : Report
-        What the run did; with a `density`, ``report.areas.is_reached`` says whether the areas are as wanted.
-
-    Warns
-    -----
-    RuntimeWarning
-        If the areas of a `density` are missed by a deviation above 0.01.
+        Report of the run. With a `density`, ``report.areas.is_reached`` states whether the prescribed areas are reached.
 
     Raises
     ------
     Error
-        If the mesh has no such map, see `find_defect`; if `initial` is not one-to-one; if a parameter is out of its
-        range.
+        If the mesh has a defect, see `find_defect`; if `initial` is not bijective; or if a parameter is out of range.
+
+    Warns
+    -----
+    RuntimeWarning
+        If the areas deviate from those prescribed by a `density` by more than 0.01.
+
+    See Also
+    --------
+    find_defect : Check whether a mesh can be mapped.
+    repair_surface : Make a surface that can be mapped.
+    measure_distortion : Measure the distortion of the map.
 
     Notes
     -----
-    The method takes further that of [1]_. Its time is nearly linear, some 10 microseconds a vertex on two cores, and so is
-    its memory, some 500 bytes a vertex.
+    The method extends that of [1]_. Time and memory are nearly linear: about 10 microseconds per vertex on two cores, and
+    about 500 bytes per vertex.
 
     References
     ----------
     .. [1] C. Wang, X. Hu, X. Fu, L. Liu: Bijective spherical parametrization with low distortion. Computers & Graphics 58,
        2016.
+
+    Examples
+    --------
+    >>> sphere, report = sp.parameterize(vertices, faces)
+    >>> sp.is_bijective(faces, sphere), report.stop_reason
+    (True, 'converged')
+
+    Each vertex gets the same fraction of the sphere as of the surface:
+
+    >>> sphere, report = sp.parameterize(vertices, faces, density="equal")
+    >>> report.areas.is_reached
+    True
     """
     check_word("prefer", prefer, ("balance", "average", "worst", "sampling"))
     check_word("energy", energy, ("symmetric-dirichlet", "isometric", "conformal", "stretch"))
     if prefer == "sampling":
         if energy not in ("symmetric-dirichlet", "stretch"):
-            refuse('prefer="sampling" has an energy of its own: leave out energy')
+            refuse('prefer="sampling" has its own energy: leave out energy')
         energy = "stretch"
     run = read_run(threads, time_limit, callback, on_interrupt)
     points = read_points("vertices", vertices)
@@ -197,8 +217,8 @@ def parameterize(
     result = Report(**report, areas=None if areas is None else Areas(**areas))
     if result.areas is not None and result.areas.deviation > MAX_DEVIATION_OF_AREAS:
         warnings.warn(
-            f"the areas are not as wanted: their deviation is {result.areas.deviation:.2g}, the largest {result.areas.largest_deviation:.2g}"
-            f" (report.areas; the run ended for this reason: {result.stop_reason})."
+            f"the prescribed areas are not reached: their deviation is {result.areas.deviation:.2g}, "
+            f"the largest {result.areas.largest_deviation:.2g} (report.areas; stop reason: {result.stop_reason})."
             + (' energy="conformal" works against them: leave it out.' if energy == "conformal" else ""),
             RuntimeWarning,
             stacklevel=2,

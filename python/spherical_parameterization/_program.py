@@ -13,7 +13,7 @@ NAME = "spherical_parameterization"
 
 
 def find_program() -> str:
-    """Returns the path of the program: the one beside the module, or the first one on the path that is no Python script."""
+    """Return the path of the program: the one beside the module, or the first one on the path that is not a Python script."""
     own = Path(__file__).parent / "bin" / (NAME + (".exe" if os.name == "nt" else ""))
     if own.is_file():
         return str(own)
@@ -26,12 +26,12 @@ def find_program() -> str:
                 return path
     sys.exit(
         f"{NAME}: the program is neither installed with this module nor on the path. The module was built where CLI11 or Eigen"
-        " was missing: install both, and the module anew."
+        " was missing: install both, then reinstall the module."
     )
 
 
 def run() -> NoReturn:
-    """Runs the program with the arguments of this process, in its place where the system can do that."""
+    """Run the program with the arguments of this process. It replaces this process where the system supports that."""
     command = [find_program(), *sys.argv[1:]]
     if os.name == "posix":
         os.execv(command[0], command)

@@ -12,20 +12,20 @@ from ._meshes import accepts_mesh
 
 
 class Hole(NamedTuple):
-    """A hole of a surface, and what `fill_holes` has filled it with.
+    """A hole of a surface and the patch that `fill_holes` added.
 
     Attributes
     ----------
     vertex : int
-        One of its border.
+        A vertex of its border.
     number_of_edges : int
         Edges of its border.
     perimeter : float
-        The length of its border.
+        Length of its border.
     number_of_faces : int
-        Faces that it has been filled with, 0 if it has been left open.
+        Patch faces; 0 if the hole was left open.
     share : float
-        The share of these in the area of the closed surface, from 0 to 1.
+        Fraction of the patch faces in the area of the closed surface, from 0 to 1.
     """
 
     vertex: int
@@ -41,9 +41,9 @@ class FilledSurface(NamedTuple):
     Attributes
     ----------
     vertices : (k, 3) ndarray of float64
-        Those that were given, and new ones behind them.
+        Input vertices, followed by the new ones.
     faces : (l, 3) ndarray of int64
-        Those that were given, and those of the patches behind them.
+        Input faces, followed by the patch faces.
     holes : list of Hole
         All holes.
     """
@@ -55,35 +55,42 @@ class FilledSurface(NamedTuple):
 
 @accepts_mesh
 def fill_holes(vertices: ArrayLike, faces: ArrayLike, *, max_edges: Optional[int] = None) -> FilledSurface:
-    """Fills the holes of a surface, so that it can be mapped to a sphere.
+    """Fill the holes of a surface, so that it can be mapped to a sphere.
 
-    Vertices and faces stay what they are, and new ones are added behind them: triangles between the vertices of the border,
-    refined to the lengths of the edges around the hole. They may intersect others, which does not matter to a map.
+    Input vertices and faces are kept, and new ones are appended: triangles between the vertices of the border, refined to
+    the lengths of the edges around the hole. Patch faces may intersect other faces, which does not affect a map.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
     max_edges : int, optional
-        The largest number of edges of a hole that is filled, at least 3; by default any.
+        Maximum number of edges of a hole that is filled, at least 3. By default, all holes are filled.
 
     Returns
     -------
     FilledSurface
-        The closed surface, and what is known of its holes.
+        The closed surface and a list of its holes.
 
     Raises
     ------
     Error
-        If the arrays are no mesh, a point is not finite, or a border touches itself or another one in a vertex.
+        If the arrays are not a mesh, if a point is not finite, or if a border touches itself or another one in a vertex.
+
+    See Also
+    --------
+    repair_surface : Repair holes and all other defects.
 
     Examples
     --------
-    >>> filled = sp.fill_holes(vertices, faces)
+    The images of the input vertices are a bijective map of the surface with holes:
+
+    >>> filled = sp.fill_holes(vertices, faces[9:])
     >>> sphere, report = sp.parameterize(filled.vertices, filled.faces)
-    >>> sphere[: len(vertices)]  # a one-to-one map of the surface with holes
+    >>> sphere[: len(vertices)].shape
+    (258, 3)
     """
     points, triangles = read_points("vertices", vertices), read_faces("faces", faces)
     most = np.iinfo(np.uint32).max if max_edges is None else operator.index(max_edges)
@@ -96,15 +103,15 @@ def fill_holes(vertices: ArrayLike, faces: ArrayLike, *, max_edges: Optional[int
 
 
 class Handle(NamedTuple):
-    """A handle of a surface, which keeps it from being mapped to a sphere.
+    """A handle of a surface, which prevents a map to the sphere.
 
     Attributes
     ----------
     path : (k,) ndarray of int64
-        The vertices of a short closed path around it, or through it: each is joined to the next one by an edge, and the last one
-        to the first. Where the surface is cut along it, and both sides are filled, there is one handle less.
+        Vertices of a handle cycle, a short non-separating cycle of edges: an edge joins each vertex to the next one, and
+        the last one to the first. Cutting the surface along it and filling both sides removes the handle.
     length : float
-        The length of the path.
+        Length of the cycle.
     """
 
     path: NDArray[np.int64]
@@ -113,26 +120,39 @@ class Handle(NamedTuple):
 
 @accepts_mesh
 def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional[int] = None) -> List[Handle]:
-    """Finds the handles of a surface, tiny ones first as far as that is easily found.
+    """Find the handles of a surface, approximately in ascending order of size.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
     max_handles : int, optional
-        The largest number of handles that are looked for, at least 1; by default any.
+        Maximum number of handles to find, at least 1. By default, all handles are found.
 
     Returns
     -------
     list of Handle
-        All handles, none if the surface has the topology of a sphere.
+        The handles; empty if the surface has genus 0.
 
     Raises
     ------
     Error
-        If anything else is wrong with the surface, see `find_defect`.
+        If the surface has another defect, see `find_defect`.
+
+    See Also
+    --------
+    repair_surface : Cut the handles.
+
+    Notes
+    -----
+    The time is O(n log n) for each handle.
+
+    Examples
+    --------
+    >>> sp.find_handles(vertices, faces)
+    []
     """
     most = np.iinfo(np.uint32).max if max_handles is None else operator.index(max_handles)
     if most < 1:
@@ -142,20 +162,20 @@ def find_handles(vertices: ArrayLike, faces: ArrayLike, *, max_handles: Optional
 
 
 class RepairPatch(NamedTuple):
-    """A part that was added to a surface, to close a hole or one side of a cut through a handle.
+    """A hole patch or a patch on one side of a cut through a handle.
 
     Attributes
     ----------
     is_of_handle : bool
-        Or of a hole.
+        Whether the patch closes a side of a cut through a handle, not a hole.
     vertex : int
-        One of its border, as a vertex of the input.
+        A vertex of its border, as a vertex of the input.
     number_of_edges : int
         Edges of its border.
     length : float
-        The length of its border.
+        Length of its border.
     share : float
-        The share of its triangles in the area of the result, from 0 to 1.
+        Fraction of its triangles in the area of the result, from 0 to 1.
     """
 
     is_of_handle: bool
@@ -166,15 +186,15 @@ class RepairPatch(NamedTuple):
 
 
 class RepairReport(NamedTuple):
-    """What `repair_surface` found and did, in this order.
+    """Defects that `repair_surface` found and repaired, in this order.
 
     Attributes
     ----------
     triangulated_polygons, degenerate_faces, repeated_faces : int
-        Polygons with more than three corners; those with less than three different ones, and those with the corners of another
-        one, which were removed.
+        Polygons with more than three corners; polygons with fewer than three different corners, and polygons with the
+        corners of another one, both of which were removed.
     merged_vertices : int
-        Vertices of borders at the same point as another one.
+        Border vertices at the same point as another one.
     reversed_faces : int
         Faces that were oriented against the others.
     non_manifold_edges, divided_vertices : int
@@ -182,15 +202,15 @@ class RepairReport(NamedTuple):
     removed_faces : int
         Faces of all components but the largest.
     split_edges : int
-        Edges of several that joined the same two vertices.
+        Edges that joined the same two vertices as another edge.
     number_of_components : int
-        Of which the largest was kept.
+        Connected components, of which the largest was kept.
     handle_cycles : list of (k,) ndarray of int64
-        The cycles of edges that handles were cut along, as vertices of the input.
+        Cycles of edges along which handles were cut, as vertices of the input.
     patches : list of RepairPatch
-        What was added.
+        Added patches.
     added_area : float
-        The area of the patches over that of the result, from 0 to 1.
+        Area of the patches over that of the result, from 0 to 1.
     """
 
     triangulated_polygons: int
@@ -209,20 +229,20 @@ class RepairReport(NamedTuple):
 
 
 class RepairedSurface(NamedTuple):
-    """A surface that can be mapped, and where its parts come from.
+    """A surface that can be mapped, and the origin of its vertices and faces.
 
     Attributes
     ----------
     vertices : (k, 3) ndarray of float64
-        The vertices.
+        Vertices.
     faces : (l, 3) ndarray of int64
-        The triangles.
+        Triangles.
     source_vertices : (k,) ndarray of int64
-        Which vertex of the input each vertex is, or -1.
+        Vertex of the input that each vertex is, or -1.
     source_faces : (l,) ndarray of int64
-        Which polygon of the input each triangle is a part of, or -1.
+        Polygon of the input that contains each triangle, or -1.
     report : RepairReport
-        What was found and done.
+        Defects found and repaired.
     """
 
     vertices: NDArray[np.float64]
@@ -242,41 +262,57 @@ def repair_surface(
     max_added_area: float = 0.05,
     refine: bool = True,
 ) -> RepairedSurface:
-    """Makes a surface that can be mapped to a sphere of any polygons.
+    """Make a surface that can be mapped to a sphere from any polygons.
 
-    Polygons are triangulated, repeated and degenerate ones removed, vertices of borders at the same point merged, faces
-    oriented alike, edges and vertices that are no manifold divided, all components but the largest removed, holes filled,
-    handles cut where that adds least area, and repeated edges divided; each only where it is needed. No point is moved.
+    The function takes the following steps, each only where it is needed. It triangulates polygons, removes repeated and
+    degenerate ones, merges border vertices at the same point, orients faces consistently, splits non-manifold edges and
+    vertices, keeps the largest component, fills holes, cuts handles where that adds the least area, and splits repeated
+    edges. No point moves.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points.
-    faces : (m, k) array_like of integers, or sequence of sequences of integers
-        The vertices of each polygon, in order around it.
+    vertices : (n, 3) array_like of float
+        Points, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, k) array_like of int, or sequence of sequences of int
+        Vertices of each polygon, in order around it.
     max_hole, max_handle : float, optional
-        The length of the border of a hole that is filled, and of the cycle that a handle is cut along, in units of the square
-        root of the area; by default any.
+        Maximum length of the border of a hole to fill, and of the cycle along which a handle is cut, in units of the square
+        root of the area. By default, there is no limit.
     max_added_area : float, optional
-        All that is added over the area of the result, from 0 to 1.
+        Maximum area of all patches over the area of the result, from 0 to 1.
     refine : bool, optional
-        Whether the triangles of what is added are about as large as their neighbors; or as few as can be.
+        Whether the patch faces are about as large as their neighbors. Otherwise, they are as few as possible.
 
     Returns
     -------
     RepairedSurface
-        The surface, where its parts come from, and what was done.
+        The surface, the origin of its vertices and faces, and a report.
 
     Raises
     ------
     Error
-        If the arrays are no polygons, a point is not finite, or a hole, a handle or all of them are beyond the limits.
+        If the arrays are not polygons, if a point is not finite, or if a hole, a handle or the total area of patches
+        exceeds its limit.
+
+    See Also
+    --------
+    find_defect : Check whether a surface needs a repair.
+
+    Notes
+    -----
+    Vertices and faces that are kept are in the order of the input, followed by the new ones. The time is quasi-linear in the size of
+    input and result.
 
     Examples
     --------
-    >>> repaired = sp.repair_surface(vertices, faces)
+    >>> repaired = sp.repair_surface(vertices, faces[9:])
     >>> sphere, report = sp.parameterize(repaired.vertices, repaired.faces)
-    >>> values[repaired.source_vertices]  # where that is not -1
+
+    Values of the input vertices apply to all vertices of the result whose source is not -1:
+
+    >>> is_old = repaired.source_vertices >= 0
+    >>> np.array_equal(vertices[repaired.source_vertices[is_old]], repaired.vertices[is_old])
+    True
     """
     points = read_points("vertices", vertices)
     if isinstance(faces, np.ndarray) and faces.ndim == 2:
@@ -287,7 +323,7 @@ def repair_surface(
         rows = [to_array("faces", row, None) for row in faces]  # type: ignore[union-attr, arg-type]
         for row in rows:
             if row.ndim != 1 or (row.size > 0 and row.dtype.kind not in "iu"):
-                raise TypeError("faces has to hold a row of integers for each polygon, its vertices")
+                raise TypeError("faces has to hold a row of integers for each polygon: its vertices")
         corners = np.concatenate([np.empty(0, np.int64), *rows]).astype(np.int64)
         first = np.cumsum([0, *(len(row) for row in rows)], dtype=np.int64)
     new_points, triangles, source_vertices, source_faces, counts, components, cycles, patches, added = _core.repair_surface(

@@ -26,7 +26,7 @@ def _read_sphere(name: str, value: Sphere) -> Tuple[NDArray[np.int64], NDArray[n
 
 
 def _read_areas(name: str, value: ArrayLike, faces: NDArray[np.int64], n: int) -> NDArray[np.float64]:
-    """Returns the areas around vertices, which the points of a surface may tell."""
+    """Return the areas around vertices, computed from the points of a surface if those are given."""
     array = to_array(name, value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has the type {array.dtype}; it has to hold real numbers")
@@ -34,7 +34,7 @@ def _read_areas(name: str, value: ArrayLike, faces: NDArray[np.int64], n: int) -
         refuse(f"{name} has the shape {array.shape}; it has to be ({n},), an area for each vertex, or ({n}, 3), its point")
     if array.ndim == 2:
         if faces.size and not 0 <= faces.min() <= faces.max() < n:
-            return np.zeros(n)  # the faces are refused
+            return np.zeros(n)  # the compiled part refuses the faces
         u, v, w = np.moveaxis(array.astype(np.float64)[faces], 1, 0)
         of_faces = np.linalg.norm(np.cross(v - u, w - u), axis=1) / 6
         array = np.bincount(faces.ravel(), np.repeat(of_faces, 3), n)
@@ -55,47 +55,52 @@ def resample(
     return_valid: bool = False,
     threads: Optional[int] = None,
 ) -> Any:
-    """Carries values from the vertices of one sphere to those of another one that is in register with it.
+    """Resample values from the vertices of one sphere to those of another one that is registered to it.
 
-    Values of floating-point types are interpolated or averaged. Rows of integers, bools or strings are labels, of which
-    the one with the largest sum of weights is carried over.
+    Values of floating-point types are interpolated or averaged. Rows of integers, bools or strings are labels: each target
+    vertex gets the label with the largest sum of weights.
 
     Parameters
     ----------
     source, target : (faces, sphere)
-        The sphere that has the values, and the one that gets them: its triangles, (m, 3) integers, and the points of its
-        vertices, (n, 3) numbers, around the origin and at any distance from it. It has to be one-to-one.
+        The sphere that has the values and the sphere that gets them: triangles, (m, 3) int, and vertices, (n, 3) float, at
+        any distance from the origin. Both have to be bijective.
     values : (n, ...) array_like
-        The values of each vertex of the source, such as (n,) or (n, k).
+        Values of each source vertex, such as (n,) or (n, k).
     method : {"barycentric", "adaptive", "nearest", "largest"}, optional
-        "barycentric", the default without `areas`: what is interpolated in the triangle of the source. "adaptive", the default
-        with them: also averages, weighted with areas, where the target is coarser. "nearest" and "largest": what the
-        vertex has whose weight by these is largest.
+        "barycentric", the default without `areas`, interpolates in the source triangle. "adaptive", the default with
+        `areas`, also averages, weighted by areas, where the target is coarser. "nearest" and "largest" take the value of
+        the source vertex with the largest weight of "barycentric" and "adaptive", respectively.
     areas : (areas of source, areas of target), optional
-        The areas around the vertices of both, (n,) and (k,) numbers, for "adaptive" and "largest"; or the points that they
-        have on a surface, (n, 3) and (k, 3) numbers, such as the midthickness.
+        Areas around the vertices of both spheres, (n,) and (k,) float, for "adaptive" and "largest"; or the points of the
+        vertices on a surface, (n, 3) and (k, 3) float, such as the midthickness.
     mask : (n,) array_like of bool, optional
-        Which vertices of the source count.
+        Source vertices to use. By default, all.
     return_valid : bool
-        Whether to return as well which vertices of the target get something.
+        Whether to also return which target vertices get a value.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     resampled : (k, ...) ndarray
-        The values of the target, of the same type; the zero of their type for a vertex that gets nothing.
+        Values of the target, of the same type; the zero of their type for a vertex that gets no value.
     valid : (k,) ndarray of bool
-        Which vertices get something, if that is wanted.
+        Target vertices that get a value, if `return_valid`.
 
     Raises
     ------
     Error
-        If a sphere is not one-to-one, or an array has not as many rows as it has vertices.
+        If a sphere is not bijective, or if the number of rows of an array is not that of the vertices.
+
+    See Also
+    --------
+    transfer : Transfer values without such settings, between surfaces.
 
     Notes
     -----
-    The definitions are those of Connectome Workbench [1]_: "adaptive" is its ADAP_BARY_AREA. `transfer` takes no settings.
+    The definitions are those of Connectome Workbench [1]_: "adaptive" is its ADAP_BARY_AREA. Time and memory are linear in
+    the size of the spheres, unless triangles are long and narrow.
 
     References
     ----------
@@ -103,7 +108,10 @@ def resample(
 
     Examples
     --------
-    >>> sp.resample((faces, sphere), (faces_32k, sphere_32k), thickness, areas=(midthickness, midthickness_32k))
+    >>> even = sp.remesh(vertices, faces, sphere, ("octahedron", 4))
+    >>> height = vertices[:, 2]
+    >>> sp.resample((faces, sphere), (even.faces, even.sphere), height, areas=(vertices, even.vertices)).shape
+    (66,)
     """
     from_faces, from_sphere = _read_sphere("source", source)
     to_faces, to_sphere = _read_sphere("target", target)
@@ -155,31 +163,38 @@ def resample(
 def resample_sphere(
     source: Sphere, registered: ArrayLike, target: Sphere, *, threads: Optional[int] = None
 ) -> NDArray[np.float64]:
-    """Carries a sphere through the registration of another one: as -surface-sphere-project-unproject of Connectome Workbench.
+    """Transfer a sphere through the registration of another one.
+
+    The command -surface-sphere-project-unproject of Connectome Workbench does the same.
 
     Parameters
     ----------
     source : (faces, sphere)
-        The sphere before it was registered, or after it: its triangles, (m, 3) integers, and its points, (n, 3) numbers, a
-        one-to-one map.
-    registered : (n, 3) array_like of numbers
-        Its points after it was registered, or before it.
+        Sphere before its registration, or after it: triangles, (m, 3) int, and vertices, (n, 3) float, a bijective map.
+    registered : (n, 3) array_like of float
+        Its vertices after the registration, or before it.
     target : (faces, sphere)
-        A sphere that is in register with `source`: its triangles, (l, 3) integers, and its points, (k, 3) numbers, a
-        one-to-one map.
+        Sphere that is registered to `source`: triangles, (l, 3) int, and vertices, (k, 3) float, a bijective map.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     (k, 3) ndarray of float64
-        The points of the target, each at the place of `registered` that it has on `source`. Where its triangles are large,
-        they may fold; `is_bijective` tells.
+        Vertices of the target, each at the location on `registered` that it has on `source`. The result may have inverted
+        triangles where the triangles of the target are large; `is_bijective` checks this.
 
     Raises
     ------
     Error
-        If `source` or `target` is not one-to-one.
+        If `source` or `target` is not bijective.
+
+    Examples
+    --------
+    >>> even = sp.remesh(vertices, faces, sphere, ("octahedron", 4))
+    >>> rotated = sp.resample_sphere((faces, sphere), sphere[:, [1, 2, 0]], (even.faces, even.sphere))
+    >>> rotated.shape
+    (66, 3)
     """
     faces, sphere = _read_sphere("source", source)
     points = read_points("registered", registered, len(sphere))

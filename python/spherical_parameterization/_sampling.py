@@ -26,72 +26,76 @@ MAX_SUBDIVISION = 5000
 
 
 class Locator:
-    """The inverse of a map to the sphere: finds the place of the surface that has a direction.
+    """Inverse of a map to the sphere: finds the surface point in each direction.
 
     Parameters
     ----------
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices, a one-to-one map, at any distance from the origin.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
+    sphere : (n, 3) array_like of float
+        Images of the vertices, a bijective map, at any distance from the origin.
     threads : int, optional
-        The largest number of threads, of `locate` as well; by default all cores.
+        Maximum number of threads, also for `locate`. By default, all cores.
 
     Raises
     ------
     Error
-        If the faces are no closed surface without handles, or the map is not one-to-one.
+        If the faces are not a closed surface of genus 0, or if the map is not bijective.
 
     Notes
     -----
-    A locator is made in linear time, unless long and narrow faces are crossed by many cells of its grid, and keeps some 42
-    bytes a face. It may be used by several threads of Python at once. `pickle` keeps faces and images, from which a
-    copy, such as for another process, is made anew.
+    Each direction corresponds to exactly one surface point. Construction takes linear time, unless long and narrow faces
+    cross many cells of the grid. A locator uses about 42 bytes per face. Several Python threads may use it at once. `pickle`
+    stores faces and images; the copy, for example in another process, is constructed from them.
+
+    Examples
+    --------
+    >>> locator = sp.Locator(faces, sphere)
+    >>> face, coordinates = locator.locate(sphere)
+    >>> points = np.einsum("kc,kcx->kx", coordinates, vertices[faces[face]])
+    >>> np.allclose(points, vertices)
+    True
     """
 
     def __init__(self, faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] = None) -> None:
         self._core = _core.Locator(read_faces("faces", faces), read_points("sphere", sphere), read_threads(threads))
 
     def locate(self, directions: ArrayLike) -> Tuple[NDArray[np.int64], NDArray[np.float64]]:
-        """Finds the face and the barycentric coordinates of each direction.
+        """Find the face and the barycentric coordinates in each direction.
 
-        The face is exact. Of the faces that share the edge or vertex that a direction meets, it is the first one.
+        The face is exact. If a direction meets an edge or a vertex, the face is the first one that contains it.
 
         Parameters
         ----------
-        directions : (k, 3) array_like of numbers
+        directions : (k, 3) array_like of float
             Points at any distance from the origin but 0.
 
         Returns
         -------
         face : (k,) ndarray of int64
-            The rows of `faces`.
+            Rows of `faces`.
         coordinates : (k, 3) ndarray of float64
-            From 0 to 1, in the order of the face's vertices.
+            Barycentric coordinates, from 0 to 1, in the order of the vertices of the face.
 
         Raises
         ------
         Error
             If a direction is zero or not finite.
-
-        Examples
-        --------
-        The points of the surface: ``np.einsum("kc,kcx->kx", coordinates, vertices[faces[face]])``
         """
         return self._core.locate(read_points("directions", directions))
 
 
 class Remesh(NamedTuple):
-    """A surface that has been sampled at the directions of a mesh of the sphere.
+    """A surface sampled at the vertices of a mesh of the sphere.
 
     Attributes
     ----------
     vertices : (k, 3) ndarray of float64
-        The points of the surface.
+        Points of the surface.
     faces : (l, 3) ndarray of int64
-        The triangles of the mesh of the sphere.
+        Triangles of the mesh of the sphere.
     sphere : (k, 3) ndarray of float64
-        The directions: the map of the new mesh to the sphere.
+        Directions: the map of the new mesh to the sphere.
     """
 
     vertices: NDArray[np.float64]
@@ -108,22 +112,24 @@ def remesh(
     *,
     threads: Optional[int] = None,
 ) -> Remesh:
-    """Samples a surface at the vertices of a mesh of the sphere. Maps with ``prefer="sampling"`` suit it best.
+    """Sample a surface at the vertices of a mesh of the sphere.
+
+    Maps with ``prefer="sampling"`` give the most even samples.
 
     Parameters
     ----------
-    vertices : (n, 3) array_like of numbers
-        The points of the surface.
-    faces : (m, 3) array_like of integers
-        The vertices of each triangle.
-    sphere : (n, 3) array_like of numbers
-        The images of the vertices, a one-to-one map.
+    vertices : (n, 3) array_like of float
+        Points of the surface, or a mesh object instead of `vertices` and `faces`.
+    faces : (m, 3) array_like of int
+        Vertices of each triangle.
+    sphere : (n, 3) array_like of float
+        Images of the vertices, a bijective map.
     domain : (str, int) or (faces, sphere)
-        "octahedron", "cube" or "icosahedron" and the number, from 1 to 5000, that its edges are divided into. Or any mesh of
-        the sphere: its triangles, (l, 3) integers, and the directions of its vertices, (k, 3) numbers. Their rows are kept;
-        vertices without a face get NaN.
+        "octahedron", "cube" or "icosahedron" and the number of parts of each edge, from 1 to 5000. Or any mesh of the
+        sphere: its triangles, (l, 3) int, and the directions of its vertices, (k, 3) float. Their rows are kept; vertices
+        without a face get NaN.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
@@ -133,16 +139,27 @@ def remesh(
     Raises
     ------
     Error
-        If the mesh has no map to the sphere, or one of the maps is not one-to-one.
+        If the mesh has a defect, see `find_defect`, or if one of the maps is not bijective.
+
+    See Also
+    --------
+    transfer : Transfer values to the new mesh.
+    measure_distance : Measure how close the new mesh is.
 
     Notes
     -----
-    The remesh corresponds to the surface one-to-one, by the sphere [1]_. `measure_distance` tells how close it is; where it is
-    too coarse, it may intersect itself. The time is linear in the size of the mesh and the domain, but for what `Locator` says.
+    The sphere defines a bijection between the surface and the new mesh [1]_. The new mesh may intersect itself where it is
+    too coarse. The time is linear in the size of the mesh and the domain, except as stated for `Locator`.
 
     References
     ----------
     .. [1] E. Praun, H. Hoppe: Spherical parametrization and remeshing. ACM Transactions on Graphics 22(3), 2003.
+
+    Examples
+    --------
+    >>> even = sp.remesh(vertices, faces, sphere, ("icosahedron", 10))
+    >>> even.vertices.shape, even.faces.shape
+    ((1002, 3), (2000, 3))
     """
     surface = read_surface(vertices, faces, sphere)
     max_threads = read_threads(threads)
@@ -173,41 +190,45 @@ def transfer(
     of: str = "vertices",
     threads: Optional[int] = None,
 ) -> NDArray[Any]:
-    """Carries values from the vertices or faces of a surface to those of another one that has a map to the same sphere.
+    """Transfer values from a surface to another one that has a map to the same sphere.
 
-    Values of floating-point types are interpolated, or averaged where the target is coarser, weighted with areas. Rows
-    of integers, bools or strings are labels, of which the one with the largest weight is carried over.
+    Values of floating-point types are interpolated, or averaged, weighted by areas, where the target is coarser. Rows of
+    integers, bools or strings are labels: each target vertex or face gets the label with the largest weight.
 
     Parameters
     ----------
     source : (vertices, faces, sphere)
-        The surface that has the values: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its
-        vertices, (n, 3) numbers, a one-to-one map.
+        Surface that has the values: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float,
+        a bijective map. A mesh object may replace the points and triangles.
     target : (faces, sphere)
-        The surface that gets them, of which no points are needed: its triangles, (l, 3) integers, and the images of its
-        vertices, (k, 3) numbers, a one-to-one map.
+        Surface that gets the values; its points are not needed: triangles, (l, 3) int, and images of the vertices, (k, 3)
+        float, a bijective map.
     values : (n, ...) or (m, ...) array_like
-        The values of each vertex or face of the source, such as (n,) or (n, 3).
+        Values of each vertex or face of the source, such as (n,) or (n, 3).
     of : {"vertices", "faces"}
-        What the values belong to.
+        Whether the values belong to vertices or faces.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     (k, ...) or (l, ...) ndarray
-        The values of the target, of the same type. Vertices without a face get NaN, and labels the zero of their type.
+        Values of the target, of the same type. Vertices without a face get NaN, or the zero of the type of labels.
 
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one.
+        If a mesh has a defect, see `find_defect`, or if a map is not bijective.
+
+    See Also
+    --------
+    resample : Resample values between cortical spheres, with the definitions of Connectome Workbench.
 
     Notes
     -----
-    As the adaptive barycentric resampling of cortical surfaces [1]_, but with other weights. A surface gets from itself what it
-    has, to the bit. The time is linear in the size of the meshes, but for what `Locator` says, and for labels, which are
-    sorted.
+    The method is adaptive barycentric resampling as for cortical surfaces [1]_, with other weights. A surface gets its own
+    values back, with the same bits. The time is linear in the size of the meshes, except as stated for `Locator`, and for
+    labels, which are sorted.
 
     References
     ----------
@@ -215,10 +236,10 @@ def transfer(
 
     Examples
     --------
-    What is known of a surface, for its remesh:
-
-    >>> even = sp.remesh(vertices, faces, sphere, ("octahedron", 64))
-    >>> sp.transfer((vertices, faces, sphere), (even.faces, even.sphere), thickness)
+    >>> even = sp.remesh(vertices, faces, sphere, ("octahedron", 16))
+    >>> height = vertices[:, 2]
+    >>> sp.transfer((vertices, faces, sphere), (even.faces, even.sphere), height).shape
+    (1026,)
     """
     check_word("of", of, ("vertices", "faces"))
     max_threads = read_threads(threads)

@@ -28,9 +28,9 @@ class MeasureBetween(NamedTuple):
     Attributes
     ----------
     maximum : float
-        The largest value.
+        Maximum value.
     average_over_first, average_over_second : float
-        The mean, weighted with areas on the first surface, and on the second one.
+        Mean, weighted by areas on the first surface and on the second one.
     """
 
     maximum: float
@@ -40,22 +40,23 @@ class MeasureBetween(NamedTuple):
 
 @dataclass(frozen=True)
 class DistortionBetween:
-    """How much a map between two surfaces, both scaled to the same area, distorts the triangles of their refinement.
+    """Distortion of a map between two surfaces, in the triangles of their common refinement.
 
-    With s1 <= s2 the singular values of the map of a triangle, all measures are the same for the map and for its inverse.
+    Both surfaces are scaled to the same area. With s1 <= s2 the singular values of the map of a triangle, all measures are
+    the same for the map and its inverse.
 
     Attributes
     ----------
     isometric : MeasureBetween
-        max(s2, 1 / s1), the largest factor by which a length is wrong: 1 for an isometry.
+        max(s2, 1 / s1), the largest factor by which a length changes: 1 for an isometry.
     area : MeasureBetween
-        s1 s2 + 1 / (s1 s2): 2 if the area stays the same.
+        s1 s2 + 1 / (s1 s2): 2 if the area is preserved.
     angle : MeasureBetween
-        s1 / s2 + s2 / s1: 2 if the angles stay the same.
+        s1 / s2 + s2 / s1: 2 if the angles are preserved.
     energy : MeasureBetween
         (s1**2 + s2**2 + 1 / s1**2 + 1 / s2**2) / 2, the symmetric Dirichlet energy: 2 for an isometry.
     number_of_triangles, number_of_slivers : int
-        The triangles of the refinement, and those that are left out because they are too small.
+        Triangles of the refinement, and those that are excluded because they are too small.
     """
 
     isometric: MeasureBetween
@@ -74,48 +75,48 @@ def _to_distortion(figures: Dict[str, Any]) -> DistortionBetween:
 
 @dataclass(frozen=True)
 class SurfaceMapReport:
-    """What `map_surface` has found.
+    """Report of a run of `map_surface`.
 
     Attributes
     ----------
     energy : float
-        The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
-        isometry, up to scale.
+        Symmetric Dirichlet energy of the map, measured on the common refinement: the mean over both directions. 2 is an
+        isometry, up to scale. Infinite if a surface has no area; 0 if it was not measured because the run was stopped.
     distortion : DistortionBetween or None
-        What `measure_distortion_between` would return for the map; None if the energy has not been measured, or by samples.
+        Result of `measure_distortion_between` for the map; None if the energy was not measured, or by samples.
     is_energy_sampled : bool
-        Whether it has been measured at places in each face instead, as the refinement has more vertices than `overlay` makes
-        by default. That misses a part of what is near vertices: 5 to 15 percent of the energy where both were measured.
+        Whether the energy was measured at samples in each face, because the refinement has more vertices than the default
+        limit of `overlay`. Samples miss a part of the energy near vertices: 5 to 15 percent where both were measured.
     agreement : float
-        How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if
-        landmarks alone turned the spheres, as features did not agree.
+        Agreement of the features after the alignment on coarse levels, a correlation, at most 1. 0 if landmarks alone
+        determined the rotations because features did not agree.
     margin : float
-        How much better the alignment is than the next best one that differs from it: those that are nearly as good on coarse
-        surfaces are compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the
-        logarithm of the symmetric Dirichlet energy. At least 0.15 if no other one came that near.
+        Advantage of the alignment over the next best different one. Alignments that are nearly as good on coarse surfaces
+        are compared on a finer level: the score is the agreement minus 0.15 times the mean, over the first surface, of the
+        root of the logarithm of half the symmetric Dirichlet energy. At least 0.15 if no other alignment came that near.
     expected_error : float or None
-        How far the images of vertices are expected to be from where they should be, over the root of the area of the second
-        surface, in the mean over the first one. None for features of a caller, if landmarks alone rotated the spheres, or if the run
-        was stopped before surfaces were aligned.
+        Expected distance of the images of vertices from their correct positions, over the square root of the area of the
+        second surface; the mean over the first surface. None for features of the caller, if landmarks alone determined the
+        rotations, or if the run was stopped before the alignment.
     expected_errors : (n1,) ndarray of float64, or None
-        The same for each vertex of the first surface; NaN for vertices without a face. It is estimated from how far features
-        differ, over how fast they change on the surface; how far images have moved during the descent; how well the surfaces
-        agree; and how far away images are by other alignments that are nearly as good.
+        Expected error of each vertex of the first surface; NaN for vertices without a face. The estimate uses the
+        differences of features over their gradients on the surface, the displacement of the images during the descent, the
+        agreement of the surfaces, and the distances from the images by other alignments that are nearly as good.
     is_uncertain : bool
-        Whether the alignment is ambiguous, so that the map may have exchanged sides: the expected error is above 0.105. For
-        features of a caller: they agree by less than 0.73, or the margin is below 0.1. Look at the map, or give landmarks. It
-        is never so if landmarks alone rotated the spheres.
+        Whether the alignment is ambiguous, so that the map may be off by a half-turn (front-back and left-right exchanged):
+        the expected error is above 0.105. For features of the caller: the agreement is below 0.73, or the margin is below
+        0.1. Also True if the alignment was stopped, always False if landmarks alone determined the rotations. If True,
+        inspect the map, or give landmarks.
     landmark_distances : (k,) ndarray of float64
-        How far the image of each landmark is from where it should be, in the unit of length of the second surface.
+        Distance of the image of each landmark from its target, in the unit of length of the second surface.
     number_of_missed_landmarks : int
-        How many landmarks could not be met, though no `landmark_weight` was given.
+        Landmarks that could not be met although no `landmark_weight` was given.
     stop_reason : str
         Why the sweeps ended, as for `parameterize`.
     number_of_sweeps : int
         Sweeps over levels of the first surface.
     seconds_for_reading, seconds_for_alignment, seconds_for_descent, seconds_for_overlay : float
-        The time to read and certify both surfaces with their maps, to find out how the surfaces lie on each other, to
-        lower the energy, and to measure it.
+        Time to read and certify both surfaces with their maps, to align them, to minimize the energy, and to measure it.
     """
 
     energy: float
@@ -152,76 +153,85 @@ def map_surface(
     callback: Optional[Callable[[int, float], Any]] = None,
     on_interrupt: str = "raise",
 ) -> Tuple[NDArray[np.float64], SurfaceMapReport]:
-    """Maps a surface one-to-one onto another one, with low distortion in both directions, by maps to the sphere.
+    """Map a surface bijectively onto another one, with low distortion in both directions.
 
-    The map is a direction for each vertex of the first surface. As a map to the sphere of the second one, the directions
-    are certified by exact arithmetic, also if the run was stopped early. What lies in a direction is found with a `Locator` of
-    the second sphere; `remesh` gives the second surface with the faces of the first one, `transfer` carries values over,
-    `overlay` is the common refinement, and `measure_distortion_between` tells more of the map than its report.
+    The map is a direction for each vertex of the first surface. Exact arithmetic certifies that the directions are a
+    bijective map of the first surface to the sphere of the second one, even if the run was stopped early. To use the map:
+
+    - A `Locator` of the second sphere finds the points of the second surface.
+    - `remesh` returns the second surface with the faces of the first one.
+    - `transfer` transfers values.
+    - `overlay` returns the common refinement.
+    - `measure_distortion_between` measures more of the distortion than the report contains.
 
     Parameters
     ----------
     surface1, surface2 : (vertices, faces, sphere)
-        Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
-        numbers, a one-to-one map, at any distance from the origin. An atlas that is a sphere with features, and no surface
-        otherwise, is ``(sphere, faces, sphere)``.
-    landmarks : (k, 2) array_like of integers, optional
-        Vertices that correspond, of the first surface and of the second one. They lead the alignment of the surfaces together with
-        features, and choose among what is found. If features agree by less than 0.5 in the end, and there are two or more in
-        different directions, these alone turn the spheres.
+        Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
+        at any distance from the origin. A mesh object may replace the points and triangles. An atlas that is only a sphere
+        with features is ``(sphere, faces, sphere)``.
+    landmarks : (k, 2) array_like of int, optional
+        Corresponding vertices of the first and of the second surface. Together with features, they guide the alignment and
+        select among its candidates. If features finally agree by less than 0.5, and there are two or more landmarks in
+        different directions, landmarks alone determine the rotations.
     landmark_weight : float, optional
-        Without it, landmarks are met exactly, but where straight edges do not allow for it. With a weight, they are soft: what
-        is lowered is the mean energy plus this weight times the mean of their squared distances on the unit sphere. It is
-        positive; 10 is a strong one.
+        By default, landmarks are met exactly, except where straight edges prevent it. With a weight, landmarks are soft: the
+        objective is the mean energy plus this weight times the mean of the squared distances of landmarks on the unit
+        sphere. The weight is positive; 10 is a strong one.
     features : sequence of pairs of array_like
-        Pairs of (n1,) and (n2,) numbers: features of the vertices of each surface that are to agree, in place of those of
-        the package. Only the order of their values counts, unless `compare_values` is set.
+        Pairs of (n1,) and (n2,) float: features of the vertices of each surface that should agree. They replace the
+        built-in features. Only the order of their values counts, unless `compare_values` is set.
     feature_weight : float
-        Once features have aligned the spheres, what is lowered is the mean energy plus this weight times the mean of the
-        squared differences of their ranks, which are from -1 to 1. The weight of the package's own features is multiplied
-        with the fourth power of their agreement as well. At least 0; with 0, features only align the spheres.
+        Weight of features after the alignment: the objective is the mean energy plus this weight times the mean of the
+        squared differences of feature ranks, which are from -1 to 1. For the built-in features, the weight is multiplied by
+        the fourth power of their agreement. At least 0; with 0, features only align the spheres.
     feature_weights : sequence of float, optional
-        How much each of `features` counts beside the others, at least 0 and not all 0. By default all count the same.
+        Relative weights of `features`, at least 0 and not all 0. By default, all are equal.
     compare_values : bool
-        Whether the values of `features` are compared and not their ranks: less the mean over both surfaces, in units of the root
-        of three times their variance, such that they spread as ranks do.
+        Whether to compare the values of `features` instead of their ranks. Values are standardized: the mean over both
+        surfaces is subtracted, and the unit is the root of three times their variance, so that they spread as ranks do.
     masks : ((n1,) array_like, (n2,) array_like), optional
-        Where the surfaces count: true or not 0 for vertices where features are to be compared. Elsewhere, as on the medial wall of
-        a cortex, the map is a bijection of low distortion all the same.
+        For each surface, true or nonzero at vertices where features are compared. Elsewhere, such as on the medial wall of a
+        cortical surface, the map is still a bijection of low distortion.
     threads : int, optional
-        The largest number of threads; by default all cores. The map has the same bits with any number.
+        Maximum number of threads. By default, all cores. The map has the same bits for any number.
     time_limit : float, optional
-        The time in seconds after which the map reached by then is returned, certified. Landmarks may be missed then that
-        more sweeps would have met.
+        Time in seconds after which the current map is returned, certified. It may miss landmarks that more sweeps would have
+        met.
     callback : callable, optional
-        Called every few milliseconds while the spheres are aligned, as ``callback(0, 0.0)``, and so before each level of the
-        hierarchy is made; then before every sweep over a level, as ``callback(number_of_vertices, energy)``: the vertices of the level before, 0 on the
-        coarsest one, and the average energy of this one; in the end, while the energy of the map is measured, as
-        ``callback(number_of_vertices, 0.0)`` with all vertices. If it returns a false value other than None, the map reached
-        by then is returned. What it raises reaches the caller.
+        Called as ``callback(0, 0.0)`` every few milliseconds during the alignment and before each level of the hierarchy is
+        made. Then called before every sweep over a level as ``callback(number_of_vertices, energy)``, with the number of
+        vertices of the previous level, 0 on the coarsest one, and the average energy of this level. Finally called as
+        ``callback(number_of_vertices, 0.0)``, with the number of all vertices, while the energy of the map is measured. If
+        it returns a false value other than None, the current map is returned. Its exceptions reach the caller.
     on_interrupt : {"raise", "return"}
-        What Ctrl-C does: raise KeyboardInterrupt, or return the map reached by then. It is noticed where `callback` is called.
+        Effect of Ctrl-C: raise KeyboardInterrupt, or return the current map. It takes effect where `callback` is called.
 
     Returns
     -------
     directions : (n1, 3) ndarray of float64
         Points of the unit sphere, one for each vertex of the first surface; NaN for vertices without a face.
     report : SurfaceMapReport
-        How good the map is.
+        Quality of the map.
 
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if a landmark is no vertex of a face, or a vertex
-        has two; if a feature is not finite, or a mask leaves nothing; if a parameter is out of its range.
+        If a mesh has a defect, see `find_defect`; if a map is not bijective; if a landmark is not a vertex of a face, or a
+        vertex has two landmarks; if a feature is not finite; if a mask excludes all vertices; or if a parameter is out of
+        range.
+
+    See Also
+    --------
+    align_spheres : Find the rotations only.
 
     Notes
     -----
-    Features turn the spheres against each other, see `align_spheres`, and extremities that may be the same, by how
-    far their ends are from each other along the surfaces; several such starts are taken through the descent on coarse levels,
-    and the best one to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is lowered on the levels of a hierarchy;
-    Schmidt et al. [1]_ optimize maps between surfaces of genus 0 on the sphere, too. The time is nearly linear: for 26,000
-    vertices each, some four seconds on two cores.
+    Features determine rotations of the spheres, see `align_spheres`. Candidates also come from extremities that may
+    correspond, by the distances between their tips along the surfaces. Several initial maps are optimized on coarse levels,
+    and the best one is refined to the finest level. The symmetric Dirichlet energy of the map, over both surfaces, is
+    minimized on the levels of a hierarchy. Schmidt et al. [1]_ also optimize maps between surfaces of genus 0 on the sphere.
+    The time is nearly linear: about four seconds on two cores for surfaces of 26,000 vertices each.
 
     References
     ----------
@@ -230,19 +240,22 @@ def map_surface(
 
     Examples
     --------
-    The second surface with the faces of the first one, and what is known of its vertices for those of the first one:
+    The second surface with the faces of the first one, and values of its vertices at the vertices of the first one:
 
-    >>> cat, horse = (vertices1, faces1, sphere1), (vertices2, faces2, sphere2)
-    >>> directions, report = sp.map_surface(cat, horse)
-    >>> result = sp.remesh(*horse, (faces1, directions))
-    >>> values = sp.transfer(horse, (faces1, directions), values_of_horse)
+    >>> first = (vertices, faces, sphere)
+    >>> second = sp.remesh(vertices, faces, sphere, ("icosahedron", 5))
+    >>> directions, report = sp.map_surface(first, second)
+    >>> result = sp.remesh(*second, (faces, directions))
+    >>> values = sp.transfer(second, (faces, directions), second.vertices[:, 2])
+    >>> values.shape
+    (258,)
     """
     surfaces = read_two_surfaces(surface1, surface2)
     rows = read_vertices(
         "landmarks", () if landmarks is None else landmarks, 2, "(k, 2): a vertex of each surface in each row"
     )
     if landmark_weight is not None and landmarks is None:
-        refuse("landmark_weight goes with landmarks")
+        refuse("landmark_weight needs landmarks")
     if landmark_weight is not None and not 0 < landmark_weight < np.inf:
         refuse(f"landmark_weight is {landmark_weight}; it has to be positive")
     if not 0 <= feature_weight < np.inf:
@@ -267,18 +280,18 @@ def map_surface(
 
 @dataclass(frozen=True)
 class SphereAlignment:
-    """The rotations that bring one sphere onto another one: what `align_spheres` has found.
+    """Rotations that align one sphere with another one, as found by `align_spheres`.
 
     Attributes
     ----------
     rotations : (k, 3, 3) ndarray of float64
-        The best rotations of the first sphere, 1 to 4 that differ by 20 degrees or more, the best one first.
-        ``sphere1 @ rotations[0].T`` is the sphere that is turned.
+        Best rotations of the first sphere, 1 to 4 that differ by 20 degrees or more, the best one first.
+        ``sphere1 @ rotations[0].T`` is the rotated sphere.
     scores : (k,) ndarray of float64
-        How well the surfaces agree by each: the correlation of their features, at most 1.
+        Agreement of the surfaces for each rotation: the correlation of their features, at most 1.
     is_stopped : bool
-        Whether the search was ended early: the rotations are the best of those that had been tried by then, at worst the
-        identity alone, with the score 0.
+        Whether the search was stopped early. The rotations are then the best of those tried so far: at worst the identity
+        alone, with score 0.
     """
 
     rotations: NDArray[np.float64]
@@ -287,9 +300,9 @@ class SphereAlignment:
 
     @property
     def margin(self) -> float:
-        """How much higher the best score is than the second best, or than 0 if there is one only.
+        """Best score minus the second best one, which is 0 if there is only one rotation.
 
-        Below 0.1 or so, the surface has a symmetry, or nearly: then look at both.
+        A margin below about 0.1 indicates an ambiguous alignment of a (nearly) symmetric surface: inspect both rotations.
         """
         return float(self.scores[0] - (self.scores[1] if len(self.scores) > 1 else 0))
 
@@ -304,51 +317,57 @@ def align_spheres(
     callback: Optional[Callable[[int, float], Any]] = None,
     on_interrupt: str = "raise",
 ) -> SphereAlignment:
-    """Finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best.
+    """Find the rotations of the sphere of one surface that best align it with the sphere of another one.
 
-    All rotations are searched, without a start. It is meant for surfaces that are nearly isometric, such as poses of a body,
-    with maps made in the same way. `map_surface` does it itself.
+    The search covers all rotations and needs no initial one. It suits nearly isometric surfaces, such as poses of a body,
+    whose maps were computed in the same way. `map_surface` calls it.
 
     Parameters
     ----------
     surface1, surface2 : (vertices, faces, sphere)
-        Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
-        numbers, a one-to-one map, at any distance from the origin.
+        Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
+        at any distance from the origin. A mesh object may replace the points and triangles.
     features : sequence of pairs of array_like
-        What is compared: pairs of (n1,) and (n2,) numbers, of the vertices of each surface. Only the order of their values
-        counts. By default features that do not depend on how the surfaces lie in space: how much the maps change areas; the
-        average geodesic distance of a place from all others [1]_; and the mean curvature at two scales.
+        Pairs of (n1,) and (n2,) float: features of the vertices of each surface. Only the order of their values counts. The
+        default features are independent of the pose of the surfaces in space: the area distortion of the maps, the average
+        geodesic distance of a point from all others [1]_, and the mean curvature at two scales.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
     time_limit : float, optional
-        The time in seconds after which the best rotations so far are returned.
+        Time in seconds after which the best rotations so far are returned.
     callback : callable, optional
-        Called every few milliseconds as ``callback(0, 0.0)``, as by `map_surface` while it does this. If it returns a false
-        value other than None, the best rotations so far are returned. What it raises reaches the caller.
+        Called every few milliseconds as ``callback(0, 0.0)``, as `map_surface` does during its alignment. If it returns a
+        false value other than None, the best rotations so far are returned. Its exceptions reach the caller.
     on_interrupt : {"raise", "return"}
-        What Ctrl-C does: raise KeyboardInterrupt, or return the best rotations so far.
+        Effect of Ctrl-C: raise KeyboardInterrupt, or return the best rotations so far.
 
     Returns
     -------
     SphereAlignment
-        The rotations, and how good they are.
+        The rotations and their scores.
 
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if a feature is not finite.
+        If a mesh has a defect, see `find_defect`; if a map is not bijective; or if a feature is not finite.
 
     Notes
     -----
-    12,000 rotations are tried [2]_ at 492 directions, and the best ones refined to about 0.2 degrees. None
-    exchanges a surface and its mirror image. The result has the same bits for any number of threads. The time is linear in
-    the size of the meshes, and for less than 100,000 vertices, that of the comparison.
+    12,000 rotations [2]_ are evaluated at 492 directions. The best ones are refined to about 0.2 degrees. None is a
+    reflection. The result has the same bits for any number of threads. The time is linear in the size of the meshes; below
+    100,000 vertices, the comparison dominates.
 
     References
     ----------
     .. [1] M. Hilaga, Y. Shinagawa, T. Kohmura, T. L. Kunii: Topology matching for fully automatic similarity estimation of 3D
        shapes. SIGGRAPH 2001.
     .. [2] M. Alexa: Super-Fibonacci spirals: fast, low-discrepancy sampling of SO(3). CVPR 2022.
+
+    Examples
+    --------
+    >>> second = sp.remesh(vertices, faces, sphere, ("icosahedron", 5))
+    >>> alignment = sp.align_spheres((vertices, faces, sphere), second)
+    >>> rotated = sphere @ alignment.rotations[0].T
     """
     surfaces = read_two_surfaces(surface1, surface2)
     return SphereAlignment(
@@ -362,16 +381,16 @@ def align_spheres(
 
 
 class Overlay(NamedTuple):
-    """The common refinement of two surfaces: triangles, each a part of one face of either.
+    """Common refinement of two surfaces: each triangle is a part of one face of each surface.
 
     Attributes
     ----------
     vertices1, vertices2 : (k, 3) ndarray of float64
-        The places of each vertex on the first surface and on the second one. What is between them is a morph.
+        Points of each vertex on the first surface and on the second one. Interpolation between them is a morph.
     faces : (l, 3) ndarray of int64
-        The vertices of each triangle.
+        Vertices of each triangle.
     faces1, faces2 : (l,) ndarray of int64
-        The face of the first surface and that of the second one which each triangle is a part of.
+        Faces of the first surface and of the second one that contain each triangle.
     """
 
     vertices1: NDArray[np.float64]
@@ -384,19 +403,19 @@ class Overlay(NamedTuple):
 def overlay(
     surface1: Surface, surface2: Surface, *, max_vertices: Optional[int] = None, threads: Optional[int] = None
 ) -> Overlay:
-    """Makes the common refinement of two surfaces that have maps to the same sphere. Its connectivity is exact.
+    """Compute the common refinement of two surfaces that have maps to the same sphere.
 
     Parameters
     ----------
     surface1, surface2 : (vertices, faces, sphere)
-        Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
-        numbers, a one-to-one map, at any distance from the origin.
-        For a map of `map_surface`, ``(vertices1, faces1, directions)`` and the second surface.
+        Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
+        at any distance from the origin. A mesh object may replace the points and triangles. For a map of `map_surface`, give
+        ``(vertices1, faces1, directions)`` and the second surface.
     max_vertices : int, optional
-        The largest number of vertices of the refinement, which takes some 200 bytes each: vertices of high degree that meet
-        can have millions of crossings. By default 4,194,304, or 32 times the vertices of both surfaces, whichever is more.
+        Maximum number of vertices of the refinement, each of which takes about 200 bytes. Coincident vertices of high degree
+        can cause millions of crossings. The default is 4,194,304, or 32 times the vertices of both surfaces if that is more.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
@@ -406,13 +425,24 @@ def overlay(
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if the refinement would have more than `max_vertices`.
+        If a mesh has a defect, see `find_defect`; if a map is not bijective; or if the refinement would have more than
+        `max_vertices` vertices.
+
+    See Also
+    --------
+    measure_distortion_between : Measure the distortion in the triangles of the refinement.
 
     Notes
     -----
-    Which edges cross, and where vertices are, is decided by exact arithmetic, and the result is certified; points of crossings
-    are rounded. Where vertices or edges coincide, triangles have no area. The time is O(n log n) for n faces and crossings,
-    of which long and narrow faces have many.
+    The connectivity is exact: exact arithmetic determines which edges cross and which faces contain the vertices, and the
+    result is certified. The points of crossings are rounded. Where vertices or edges coincide, triangles have no area. The
+    time is O(n log n) for n faces and crossings; long and narrow faces have many crossings.
+
+    Examples
+    --------
+    >>> second = sp.remesh(vertices, faces, sphere, ("icosahedron", 5))
+    >>> refinement = sp.overlay((vertices, faces, sphere), second)
+    >>> halfway = (refinement.vertices1 + refinement.vertices2) / 2
     """
     first, second = read_two_surfaces(surface1, surface2)
     return Overlay(*_core.overlay(*first, *second, read_max_vertices(max_vertices), read_threads(threads)))
@@ -426,37 +456,45 @@ def measure_distortion_between(
     max_vertices: Optional[int] = None,
     threads: Optional[int] = None,
 ) -> DistortionBetween:
-    """Measures how much the map between two surfaces that have maps to the same sphere distorts, in their `overlay`.
+    """Measure the distortion of the map between two surfaces that have maps to the same sphere.
+
+    The distortion is measured in the triangles of their `overlay`.
 
     Parameters
     ----------
     surface1, surface2 : (vertices, faces, sphere)
-        Each surface: its points, (n, 3) numbers; its triangles, (m, 3) integers; and the images of its vertices, (n, 3)
-        numbers, a one-to-one map, at any distance from the origin.
-        For a map of `map_surface`, ``(vertices1, faces1, directions)`` and the second surface.
+        Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
+        at any distance from the origin. A mesh object may replace the points and triangles. For a map of `map_surface`, give
+        ``(vertices1, faces1, directions)`` and the second surface.
     smallest_area : float
-        Triangles of the refinement with less than this share of the area on one of the surfaces, from 0 to below 1, are left
-        out and counted: of those that ties or rounding make, nothing can be said.
+        Triangles of the refinement with less than this fraction of the area of one of the surfaces are excluded and counted:
+        coincidences and rounding errors determine their shapes. At least 0 and below 1.
     max_vertices : int, optional
-        The largest number of vertices of the refinement, which takes some 200 bytes each: vertices of high degree that meet
-        can have millions of crossings. By default 4,194,304, or 32 times the vertices of both surfaces, whichever is more.
+        Maximum number of vertices of the refinement, see `overlay`.
     threads : int, optional
-        The largest number of threads; by default all cores.
+        Maximum number of threads. By default, all cores.
 
     Returns
     -------
     DistortionBetween
-        The measures. They are infinite if a surface has no area, or all triangles are left out.
+        The measures. They are infinite if a surface has no area, or if all triangles are excluded.
 
     Raises
     ------
     Error
-        If a mesh has no map to the sphere, or a map is not one-to-one; if the refinement would have more than `max_vertices`;
-        if `smallest_area` is out of its range.
+        If a mesh has a defect, see `find_defect`; if a map is not bijective; if the refinement would have more than
+        `max_vertices` vertices; or if `smallest_area` is out of range.
 
     Notes
     -----
     The time is that of `overlay`.
+
+    Examples
+    --------
+    >>> second = sp.remesh(vertices, faces, sphere, ("icosahedron", 5))
+    >>> distortion = sp.measure_distortion_between((vertices, faces, sphere), second)
+    >>> distortion.energy.average_over_first >= 2
+    True
     """
     if not 0 <= smallest_area < 1:
         refuse(f"smallest_area is {smallest_area}; it has to be from 0 to below 1")

@@ -12,8 +12,8 @@ namespace Module {
 
 namespace py = pybind11;
 
-/// What may end a run, asked in the thread of the caller, without the lock of the interpreter: the signals of Python, such as
-/// that of Ctrl-C, and the caller's function.
+/// Checks whether a run has to end: because of a Python signal, such as that of Ctrl-C, or because of the caller's function.
+/// The functions are called in the thread of the caller, without the interpreter lock.
 class Interruption
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   bool is_stopped() const { return m_is_stopped; }
 
-  /// throws what a signal has raised, unless it is an interrupt that is to stop the run.
+  /// throws the exception that a signal handler raises, unless it is an interrupt that stops the run.
   void check()
   {
     const py::gil_scoped_acquire lock;
@@ -35,7 +35,7 @@ public:
     stop_or_throw(error);
   }
 
-  /// checks from time to time: other threads of Python may hold the lock for some milliseconds.
+  /// checks every 20 milliseconds at most, because other Python threads may hold the lock for some milliseconds.
   void check_now_and_then()
   {
     constexpr std::chrono::milliseconds pause{20};
@@ -45,8 +45,7 @@ public:
     m_next = Clock::now() + pause;
   }
 
-  /// calls the caller's function, if there is one, which stops the run by a false value other than None, and throws what it
-  /// raises.
+  /// calls the caller's function, if any. A false value other than None stops the run; exceptions are thrown.
   template <class... Arguments>
   void call(Arguments... arguments)
   {
@@ -85,7 +84,7 @@ private:
   Clock::time_point m_next = Clock::now();
 };
 
-/// A visitor of functions that nothing but signals can stop. It is made with the lock of the interpreter.
+/// A visitor for functions that only signals can stop. Its constructor needs the interpreter lock.
 class Signal_visitor : public CGAL::Spherical_parameterization::Default_visitor
 {
 public:

@@ -80,7 +80,7 @@ void check_map(const std::string& name, const Mesh& mesh, const std::string& nam
 {
   check_surface(name, mesh);
   const Const_row_map map = rows_of(sphere);
-  // In this thread alone, as the caller may have allowed for no more.
+  // Sequential, because the caller may have allowed a single thread only.
   if(SP::is_bijective<CGAL::Sequential_tag>(mesh, map))
     return;
   check_points(name, mesh, name_of_map, sphere);
@@ -95,13 +95,13 @@ void check_map(const std::string& name, const Mesh& mesh, const std::string& nam
       std::find_if(distortions.begin(), distortions.end(), [](const auto& d) { return d.is_inverted; });
   if(inverted == distortions.end())
     refuse(name, {SP::ERROR_NO_1_TO_1_MAPPING,
-                  name_of_map + " is not one-to-one: the faces cover the sphere more than once.",
+                  name_of_map + " is not bijective: the faces cover the sphere more than once.",
                   {},
                   {},
                   {}});
   const auto f = static_cast<std::size_t>(inverted - distortions.begin());
   refuse(name, {SP::ERROR_NO_1_TO_1_MAPPING,
-                name_of_map + " is not one-to-one: face " + std::to_string(f) +
+                name_of_map + " is not bijective: face " + std::to_string(f) +
                     " is not positively oriented as seen from the origin (" +
                     std::to_string(distortion.number_of_inverted_faces) +
                     " such faces in total).\n(Faces are counted from 0.)",

@@ -23,7 +23,7 @@ namespace Module {
 namespace py = pybind11;
 namespace SP = CGAL::Spherical_parameterization;
 
-// Their shapes have been checked by the Python part, which also makes them contiguous.
+// The Python part has checked their shapes and made them contiguous.
 using Points = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int64_t, py::array::c_style>;
 
@@ -32,7 +32,7 @@ using Mesh = CGAL::Surface_mesh<Point_3>;
 using Vertex_index = Mesh::Vertex_index;
 using Face_index = Mesh::Face_index;
 
-/// What becomes a `spherical_parameterization.Error`.
+/// The exception that is translated to `spherical_parameterization.Error`.
 struct Error
 {
   SP::internal::Soup_defect defect;
@@ -88,21 +88,21 @@ inline Const_row_map rows_of(const Points& points)
   return Const_row_map(points.data());
 }
 
-/// makes the mesh of two arrays. Where no surface is needed, the points are those of the map to the sphere. As where files
-/// are read, `halfedge(f, mesh)` leads from the last corner of a face to the first one.
+/// builds a mesh from two arrays. Where no surface is needed, the points are those of the map to the sphere. As in the readers of
+/// files, `halfedge(f, mesh)` leads from the last corner of a face to the first one.
 ///
-/// \param name what messages call the mesh, such as "target: "; empty if there is but one
+/// \param name the prefix of messages, such as "target: "; empty if there is only one mesh
 ///
-/// \throws Error if an index is out of its range, or no halfedge data structure can hold the faces
+/// \throws Error if an index is out of range, or no halfedge data structure can represent the faces
 Mesh make_mesh(const std::string& name, const Points& points, const Indices& faces);
 
-/// throws what keeps the mesh from being parameterized, if anything does.
+/// throws the defect that prevents a parameterization of the mesh, if any.
 void check_surface(const std::string& name, const Mesh& mesh);
 
-/// throws where a point of a vertex that has faces is not finite, if one is.
+/// throws the first vertex with a face whose point is not finite, if any.
 void check_points(const std::string& name, const Mesh& mesh, const std::string& name_of_points, const Points& points);
 
-/// throws what is wrong with the mesh or its map, if anything is.
+/// throws the defect of the mesh or of its map, if any.
 void check_map(const std::string& name, const Mesh& mesh, const std::string& name_of_map, const Points& sphere);
 
 inline Indices to_array(const std::vector<std::array<std::uint32_t, 3>>& triangles)

@@ -15,12 +15,12 @@
 
 namespace Module {
 
-// What the Python part calls, once it has checked words, shapes and ranges; it documents them as well.
+// The Python part calls these functions after it has checked words, shapes and ranges. Its docstrings document them.
 
 using Values = py::array_t<double, py::array::c_style>;
 using Corners = py::array_t<std::int64_t, py::array::c_style>;
 
-// `density` has a number for each vertex or for each face, or none, if areas are to be equal.
+// `density` has a number for each vertex or for each face; it is empty for equal densities.
 py::tuple parameterize(const Points& vertices, const Indices& faces, const std::string& prefer,
                        const std::string& energy, const std::optional<Points>& initial, bool starts_from_drawing,
                        const std::optional<Values>& density, bool is_of_faces, std::size_t threads, double time_limit,
@@ -31,7 +31,7 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
 py::tuple repair_surface(const Points& vertices, const Corners& corners, const Corners& first, double maximum_hole,
                          double maximum_handle, double maximum_added_area, bool refines_patches);
 py::list find_handles(const Points& vertices, const Indices& faces, std::size_t max_handles);
-void find_defect(const Points& vertices, const Indices& faces); // throws it
+void find_defect(const Points& vertices, const Indices& faces); // throws the defect
 bool is_bijective(const Indices& faces, const Points& sphere, std::size_t threads);
 py::tuple compute_sulcal_measures(const Points& vertices, const Indices& faces, std::size_t threads);
 py::array_t<float> round_to_float(const Indices& faces, const Points& sphere, std::size_t threads);
@@ -67,7 +67,7 @@ SP::Spherical_harmonics_3 to_harmonics(const Values& coefficients, const std::st
 Values array_of(const SP::Spherical_harmonics_3& harmonics);
 
 std::pair<Points, Indices> read_mesh(const std::string& path);
-// of tables, or of SPHARM-PDM
+// The content is that of a table or of a SPHARM-PDM file.
 Values read_coefficients(const std::string& content, bool is_table, const std::string& normalization, bool has_phase);
 py::bytes write_coefficients(const Values& coefficients, bool is_table, const std::string& normalization,
                              bool has_phase);

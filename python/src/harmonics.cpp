@@ -22,9 +22,9 @@ SP::Harmonic_normalization normalization_of(const std::string& word)
 
 namespace {
 
-// Calls f(function, l, m, place) for all coefficients and their places in an array (functions, 2, degree + 1, degree + 1).
+// Calls f(function, l, m, index) for all coefficients and their indices in an array (functions, 2, degree + 1, degree + 1).
 template <class Function>
-void for_each_place(std::size_t n_functions, std::size_t degree, const Function& f)
+void for_each_index(std::size_t n_functions, std::size_t degree, const Function& f)
 {
   const std::size_t n = degree + 1;
   for(std::size_t k = 0; k < n_functions; ++k)
@@ -44,9 +44,9 @@ SP::Spherical_harmonics_3 to_harmonics(const Values& coefficients, const std::st
   SP::Spherical_harmonics_3 result(number_of_rows(coefficients), static_cast<std::size_t>(coefficients.shape(2)) - 1,
                                    normalization_of(normalization), has_phase);
   const double* const c = coefficients.data();
-  for_each_place(result.number_of_functions(), result.degree(),
-                 [&](std::size_t k, std::size_t l, std::ptrdiff_t m, std::size_t place) {
-                   result.set_coefficient(k, l, m, c[place]);
+  for_each_index(result.number_of_functions(), result.degree(),
+                 [&](std::size_t k, std::size_t l, std::ptrdiff_t m, std::size_t index) {
+                   result.set_coefficient(k, l, m, c[index]);
                  });
   return result;
 }
@@ -57,9 +57,9 @@ Values array_of(const SP::Spherical_harmonics_3& harmonics)
   Values result({static_cast<py::ssize_t>(harmonics.number_of_functions()), py::ssize_t(2), n, n});
   double* const c = result.mutable_data();
   std::fill_n(c, result.size(), 0.);
-  for_each_place(harmonics.number_of_functions(), harmonics.degree(),
-                 [&](std::size_t k, std::size_t l, std::ptrdiff_t m, std::size_t place) {
-                   c[place] = harmonics.coefficient(k, l, m);
+  for_each_index(harmonics.number_of_functions(), harmonics.degree(),
+                 [&](std::size_t k, std::size_t l, std::ptrdiff_t m, std::size_t index) {
+                   c[index] = harmonics.coefficient(k, l, m);
                  });
   return result;
 }
@@ -111,10 +111,10 @@ py::tuple expand(const Points& vertices, const Indices& faces, const Points& sph
     {
       const auto n = static_cast<std::size_t>(
           std::count_if(mesh.vertices_begin(), mesh.vertices_end(), [&](auto v) { return !mesh.is_isolated(v); }));
-      fail(error, "degree is " + std::to_string(degree) + ", which takes " +
+      fail(error, "degree is " + std::to_string(degree) + ", which has " +
                       std::to_string((std::size_t(degree) + 1) * (std::size_t(degree) + 1)) +
-                      " coefficients, and there are " + std::to_string(n) +
-                      " vertices to determine them: with weights=\"vertices\", it may be at most " +
+                      " coefficients, but only " + std::to_string(n) +
+                      " vertices determine them: with weights=\"vertices\", it may be at most " +
                       std::to_string(std::size_t(std::sqrt(double(n))) - 1));
     }
     if(error != SP::OK)
@@ -179,7 +179,7 @@ py::tuple standard_position(const Values& coefficients, const std::string& norma
       return SP::move_to_standard_position(harmonics, position, CGAL::parameters::visitor(std::ref(visitor)));
     });
     if(error == SP::ERROR_UNDETERMINED_ROTATION)
-      fail(error, "coefficients: those of degree 1 make a point or a line of the surface, which has no axes");
+      fail(error, "coefficients: the ellipsoid of degree 1 is a point or a line, which has no axes");
     if(error != SP::OK)
       fail(error, SP::get_error_message(error));
   }

@@ -15,7 +15,7 @@ namespace Module {
 
 namespace {
 
-// Where measure_distortion() leaves the values of each face: in columns.
+// Receives the values of each face from measure_distortion(), in columns.
 struct Distortion_columns
 {
   using key_type = Face_index;
@@ -55,7 +55,7 @@ bool is_bijective(const Indices& faces, const Points& sphere, std::size_t thread
   {
     if(error.defect.error != SP::ERROR_NO_SIMPLICIAL_COMPLEX)
       throw;
-    return false; // for what no halfedge data structure can hold
+    return false; // no halfedge data structure can represent the faces
   }
 }
 

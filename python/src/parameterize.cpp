@@ -24,7 +24,7 @@ namespace Module {
 
 namespace {
 
-// Asks between two sweeps whether to go on.
+// Checks between two sweeps whether the run has to end.
 class Python_visitor : public SP::Default_visitor
 {
 public:
@@ -45,7 +45,7 @@ public:
     return !m_interruption.is_stopped();
   }
 
-  // An interruption that comes after the last sweep is answered as well.
+  // Handles an interrupt after the last sweep.
   void on_optimization_end() { m_interruption.check(); }
 
 private:
@@ -113,7 +113,7 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
   const std::size_t n = number_of_rows(vertices);
   Points sphere = new_points(n);
   double* const images = sphere.mutable_data();
-  std::fill_n(images, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
+  std::fill_n(images, 3 * n, std::numeric_limits<double>::quiet_NaN()); // vertices without a face
   SP::Parameterization_report report;
   std::optional<SP::Area_report> areas;
   Interruption interruption(callback, returns_on_interrupt);
@@ -156,10 +156,10 @@ py::tuple parameterize(const Points& vertices, const Indices& faces, const std::
 #else
       static_cast<void>(energy_of_faces);
       static_cast<void>(is_of_faces);
-      fail(SP::ERROR_WRONG_PARAMETER, "density takes Eigen, without which this module has been built");
+      fail(SP::ERROR_WRONG_PARAMETER, "density needs Eigen, but this module was built without it");
 #endif
     };
-    // as the command line program chooses, if nothing is said of radius and tolerance
+    // The defaults of the radius and the tolerance are those of the command line program.
     const auto bld = SP::Bijective_low_distortion_parameterizer_3<>().sharpness(find_sharpness(prefer));
     if(density)
     {

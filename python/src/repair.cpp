@@ -24,7 +24,7 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
     if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
       throw Error{{error,
                    "the border touches itself in vertex " + std::to_string(holes.back().vertex) +
-                       ", so that it is not clear what its holes are.\nGive each of its parts a vertex of its own. "
+                       ", so that its holes are ambiguous.\nGive each part of the border its own copy of this vertex. "
                        "(Vertices are counted from 0.)",
                    std::size_t(holes.back().vertex),
                    {},

@@ -11,14 +11,14 @@ namespace {
 
 using Resampler = SP::Sphere_resampler_3<>;
 
-// A sphere as the flat arrays of a resampler.
+// A sphere in the flat arrays that a resampler takes.
 struct Sphere
 {
   Sphere(const Indices& faces, const Points& sphere)
     : points(number_of_rows(sphere))
     , triangles(number_of_rows(faces))
   {
-    constexpr std::int64_t max = (std::numeric_limits<std::uint32_t>::max)(); // which no vertex is
+    constexpr std::int64_t max = (std::numeric_limits<std::uint32_t>::max)(); // not a vertex
     const double* x = sphere.data();
     for(auto& p : points)
       for(double& coordinate : p)
@@ -117,7 +117,7 @@ Points resample_sphere(const Indices& faces, const Points& sphere, const Points&
       x = std::copy(p.begin(), p.end(), x);
     return error_of_result;
   });
-  if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING) // which is_bijective() tells
+  if(error != SP::OK && error != SP::ERROR_NO_1_TO_1_MAPPING) // which is_bijective() reports
     fail(error, SP::get_error_message(error));
   return result;
 }

@@ -50,14 +50,14 @@ public:
       for(const auto& [f, c] : locations)
       {
         *face++ = std::uint32_t(f);
-        for(const std::size_t i : {1u, 2u, 0u}) // the first one is that of the last corner
+        for(const std::size_t i : {1u, 2u, 0u}) // the first one belongs to the last corner
           *coordinate++ = c[i];
       }
     }
     return py::make_tuple(faces, coordinates);
   }
 
-  /// returns what the locator is made of.
+  /// returns the arguments of the constructor.
   py::tuple parts() const
   {
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -82,8 +82,7 @@ private:
     const auto first = std::find_if(locations.begin(), locations.end(), is_invalid);
     const auto row = static_cast<std::size_t>(first - locations.begin());
     throw Error{{SP::ERROR_INVALID_DIRECTION,
-                 "directions: row " + std::to_string(row) +
-                     " is zero, infinite or not a number, so that it leads nowhere (" +
+                 "directions: row " + std::to_string(row) + " is zero, infinite or not a number (" +
                      std::to_string(std::count_if(first, locations.end(), is_invalid)) +
                      " such rows in total).\n(Rows are counted from 0.)",
                  row,
@@ -96,7 +95,7 @@ private:
   Sphere_locator m_locator;
 };
 
-// returns the points of the remesh, and its directions
+// Returns the points of the remesh and its directions.
 std::pair<Points, Points> remesh_over(const Points& vertices, const Indices& faces, const Points& sphere,
                                       const SP::Sphere_domain_3& domain, std::size_t threads)
 {
@@ -122,7 +121,7 @@ std::pair<Points, Points> remesh_over(const Points& vertices, const Indices& fac
   return {points, directions};
 }
 
-// The rows of a table: of numbers, or of one label.
+// The rows of a table of numbers, or of a table with one label in each row.
 template <class Index, class Number>
 struct Table_map
 {

@@ -16,7 +16,7 @@ namespace Module {
 
 namespace {
 
-// Two surfaces with their maps; what is wrong with them is told by check().
+// Two surfaces with their maps. check() throws their defects.
 struct Two_surfaces
 {
   Mesh first, second;
@@ -42,7 +42,7 @@ struct Two_surfaces
   static constexpr const char *name1 = "surface1: ", *name2 = "surface2: ";
 };
 
-// Asks on the way whether to go on.
+// Checks during a run whether it has to end.
 class Surface_visitor : public SP::Default_visitor
 {
 public:
@@ -106,7 +106,7 @@ std::vector<std::pair<Vertex_index, Vertex_index>> read_landmarks(const Two_surf
       if(mesh.is_isolated(vertex))
         refuse(", which has no face");
       if(rows[vertex] != result.size())
-        refuse(", and so has row " + std::to_string(rows[vertex]));
+        refuse(", as has row " + std::to_string(rows[vertex]));
       rows[vertex] = row;
       (column == 0 ? result[row].first : result[row].second) = vertex;
     }
@@ -166,7 +166,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
   const std::size_t n = number_of_rows(vertices1);
   Points directions = new_points(n);
   double* const rows = directions.mutable_data();
-  std::fill_n(rows, 3 * n, std::numeric_limits<double>::quiet_NaN()); // for vertices without faces
+  std::fill_n(rows, 3 * n, std::numeric_limits<double>::quiet_NaN()); // vertices without a face
   SP::Surface_map_report report;
   std::vector<double> errors(n, std::numeric_limits<double>::quiet_NaN());
   bool has_errors = false;
@@ -179,7 +179,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
                       .feature_weight(feature_weight)
                       .feature_weights(feature_weights)
                       .compare_values(compare_values);
-    for(const Feature_functions& mask : functions_of(masks)) // one, or none
+    for(const Feature_functions& mask : functions_of(masks)) // at most one
       mapper = mapper.masks(mask);
     if(landmark_weight)
       mapper = mapper.landmark_weight(*landmark_weight);
@@ -192,7 +192,7 @@ py::tuple map_surface(const Points& vertices1, const Indices& faces1, const Poin
     }));
     report = mapper.report();
     has_errors = mapper.get_expected_errors(CGAL::make_property_map(errors));
-    interruption.check(); // one that comes after the last sweep, or where none is needed, is answered as well
+    interruption.check(); // handles an interrupt after the last sweep, or if there was no sweep
   }
   return py::make_tuple(
       directions,

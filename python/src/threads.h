@@ -10,7 +10,7 @@
 
 namespace Module {
 
-/// runs f in this thread, and what it runs in parallel with no more threads than given; 0 stands for no limit.
+/// runs f in this thread, and its parallel parts with at most `max_threads` threads; 0 is no limit.
 template <class Function>
 auto run_with_threads([[maybe_unused]] std::size_t max_threads, const Function& f) -> decltype(f())
 {

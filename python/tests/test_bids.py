@@ -1,4 +1,4 @@
-"""The BIDS App, on subjects that make_subjects.py makes, with few vertices."""
+"""Tests the BIDS App on subjects with few vertices, which make_subjects.py generates."""
 
 import fcntl
 import json
@@ -22,7 +22,7 @@ N = 16
 PROGRAM = Path(os.environ["PROGRAM"])
 if not (PROGRAM.parent.parent / "page/page.stamp").exists():
     pytest.skip("the program has been built without its page", allow_module_level=True)
-# What smriprep looks for among derivatives, by the kinds of its queries
+# The derivative files that smriprep queries
 PATTERN = re.compile(
     r"sub-[A-Za-z0-9]+(_ses-[A-Za-z0-9]+)?_hemi-[LR](_space-[A-Za-z0-9]+)?(_den-[0-9]+k)?(_desc-[A-Za-z0-9]+)?"
     r"_(white|pial|midthickness|sphere|thickness|sulc|curv)\.(surf|shape)\.gii"
@@ -62,13 +62,13 @@ def contents(folder):
 
 
 @pytest.mark.parametrize("tree", ["freesurfer", "derivatives"])
-def test_makes_what_smriprep_reads(data, tmp_path, tree):
+def test_writes_files_that_smriprep_reads(data, tmp_path, tree):
     before = contents(data / tree)
     result = run(data / tree, tmp_path / "out", "participant", *atlases(data), "--n-cpus", 2)
-    assert result.stdout.splitlines() == ["[1/2] sub-01: done", "[2/2] sub-02: done", "Done 2, left out 0, failed 0"]
+    assert result.stdout.splitlines() == ["[1/2] sub-01: done", "[2/2] sub-02: done", "Done 2, skipped 0, failed 0"]
     assert contents(data / tree) == before
     out = tmp_path / "out"
-    assert hidden(out) == [".bidsignore"], "nothing is left of the work"
+    assert hidden(out) == [".bidsignore"], "temporary files are removed"
     description = json.loads((out / "dataset_description.json").read_text())
     assert description["DatasetType"] == "derivative" and description["GeneratedBy"][0]["Version"] == sp.__version__
     anat = out / "sub-02/anat"
@@ -88,13 +88,13 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
         for space, size in (("fsaverage", n), ("fsLR", coarse)):
             registered, same = nb.load(anat / f"{stem}_space-{space}_desc-reg_sphere.surf.gii").agg_data()
             assert (same == faces).all() and sp.is_bijective(faces, registered)
-            place = f"{stem}_space-{space}_den-{round(size / 1000)}k"
+            resampled = f"{stem}_space-{space}_den-{round(size / 1000)}k"
             for kind in kinds:
-                image = nb.load(anat / f"{place}_{kind}.surf.gii")
+                image = nb.load(anat / f"{resampled}_{kind}.surf.gii")
                 assert image.agg_data()[0].shape == (size, 3)
                 assert image.darrays[0].meta["AnatomicalStructurePrimary"] == structure
             for metric in ("thickness", "curv", "sulc"):
-                assert nb.load(anat / f"{place}_{metric}.shape.gii").agg_data().shape == (size,)
+                assert nb.load(anat / f"{resampled}_{metric}.shape.gii").agg_data().shape == (size,)
     assert len(found) == 2 * (1 + 2 * (1 + len(kinds) + 3))
     report = json.loads((anat / "sub-02_hemi-L_space-fsLR_desc-reg_sphere.json").read_text())
     assert report["match"]["agreement"] > 0.7 and "files" not in report
@@ -103,10 +103,10 @@ def test_makes_what_smriprep_reads(data, tmp_path, tree):
     page = (out / "sub-02.html").read_text()
     for link in re.findall(r'href="(.*?)"', page):
         assert (out / link).is_file()
-    assert page.count("<tr>") == 7 and "What has failed" not in page
+    assert page.count("<tr>") == 7 and "Failures" not in page
 
 
-def test_registration_brings_folds_together(data, tmp_path):
+def test_registration_aligns_sulci(data, tmp_path):
     run(data / "freesurfer", tmp_path, "participant", "--participant-label", "01", "--hemi", "L", *atlases(data)[:2])
     sulc = nb.load(tmp_path / "sub-01/anat/sub-01_hemi-L_space-fsaverage_den-3k_sulc.shape.gii").agg_data()
     of_atlas = nb.freesurfer.read_morph_data(data / "freesurfer/fsaverage/surf/lh.sulc")
@@ -119,16 +119,16 @@ def test_resumes(data, tmp_path):
     arguments = (data / "freesurfer", tmp_path / "out", "participant", "--hemi", "L", "--resume")
     run(*arguments)
     before = contents(tmp_path / "out")
-    assert run(*arguments).stdout.count("left out, as its results are there") == 2
+    assert run(*arguments).stdout.count("skipped, its results are up to date") == 2
     assert contents(tmp_path / "out") == before
     sphere = tmp_path / "out/sub-01/anat/sub-01_hemi-L_sphere.surf.gii"
     sphere.unlink()
     (tmp_path / "out/sub-02/anat/sub-02_desc-provenance_surfaces.json").write_text("{")
-    # Nothing says any more which files are its own.
+    # The record of its own files is lost.
     result = run(*arguments, status=1)
     assert "sub-01: done" in result.stdout and "was not written by this program, or is damaged" in result.stderr
     assert sphere.read_bytes() == before["sub-01/anat/sub-01_hemi-L_sphere.surf.gii"]
-    assert "sub-01: done" in run(*arguments, "--metrics", "curv", status=1).stdout, "of other options"
+    assert "sub-01: done" in run(*arguments, "--metrics", "curv", status=1).stdout, "the options have changed"
 
 
 def test_many_processes_share_an_output(data, tmp_path):
@@ -142,10 +142,10 @@ def test_many_processes_share_an_output(data, tmp_path):
     with open(tmp_path / ".sub-01.lock", "w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         result = run(*command[3:], "--participant-label", "01", status=1)
-    assert "sub-01: another process works on it" in result.stderr
+    assert "sub-01: another process is working on it" in result.stderr
 
 
-def test_what_is_wrong_with_a_subject_is_its_own(data, tmp_path):
+def test_a_damaged_subject_does_not_affect_others(data, tmp_path):
     study = tmp_path / "study"
     shutil.copytree(data / "freesurfer/sub-01", study / "sub-01")
     for name in ("half", "empty", "damaged"):
@@ -156,25 +156,25 @@ def test_what_is_wrong_with_a_subject_is_its_own(data, tmp_path):
     white = study / "damaged/surf/lh.white"
     white.write_bytes(white.read_bytes()[:5000])
     result = run(study, tmp_path / "out", "participant", "--participant-label", "01", "half", "empty", "damaged", status=1)
-    assert result.stdout.splitlines()[-1] == "Done 1, left out 0, failed 3"
+    assert result.stdout.splitlines()[-1] == "Done 1, skipped 0, failed 3"
     lines = result.stderr.splitlines()
     assert [line.split(": ")[1] for line in lines] == ["sub-half", *["sub-empty"] * 2, "sub-damaged"]
-    assert "hemisphere R: there is no white surface" in lines[0] and "damaged/surf/lh.white" in lines[3]
+    assert "hemisphere R: " in lines[0] and "has no white surface" in lines[0] and "damaged/surf/lh.white" in lines[3]
     out = tmp_path / "out"
     assert (out / "sub-half/anat/sub-half_hemi-L_sphere.surf.gii").is_file()
     assert (out / "sub-damaged/anat/sub-damaged_hemi-R_sphere.surf.gii").is_file()
     assert not list(out.rglob("sub-damaged_hemi-L*"))
     for name in ("half", "empty", "damaged"):
-        assert "What has failed" in (out / f"sub-{name}.html").read_text()
+        assert "Failures" in (out / f"sub-{name}.html").read_text()
 
 
-def test_never_replaces_files_of_others(data, tmp_path):
+def test_never_replaces_files_of_other_programs(data, tmp_path):
     foreign = tmp_path / "out/sub-01/anat/sub-01_hemi-R_sphere.surf.gii"
     foreign.parent.mkdir(parents=True)
-    foreign.write_text("of somebody else")
+    foreign.write_text("of another program")
     arguments = (data / "freesurfer", tmp_path / "out", "participant", "--participant-label", "01")
     assert "was not written by this program" in run(*arguments, status=1).stderr
-    assert [path for path in (tmp_path / "out").rglob("*.gii")] == [foreign] and foreign.read_text() == "of somebody else"
+    assert [path for path in (tmp_path / "out").rglob("*.gii")] == [foreign] and foreign.read_text() == "of another program"
     foreign.unlink()
     run(*arguments)
     foreign.write_text("changed by hand")
@@ -186,7 +186,7 @@ def test_an_output_of_another_version_or_program_is_refused(data, tmp_path):
     path = tmp_path / "dataset_description.json"
     for text, message in (
         ('{"GeneratedBy": [{"Name": "fMRIPrep"}]}', "of another program"),
-        ('{"GeneratedBy": [{"Name": "spherical_parameterization_bids", "Description": "0.2"}]}', "of another version, 0.2"),
+        ('{"GeneratedBy": [{"Name": "spherical_parameterization_bids", "Description": "0.2"}]}', "by another version, 0.2"),
         ("{", "damaged"),
     ):
         path.write_text(text)
@@ -197,15 +197,15 @@ def test_an_output_of_another_version_or_program_is_refused(data, tmp_path):
 @pytest.mark.parametrize(
     "arguments, message",
     [
-        (["NONE", "OUT", "participant"], "is no folder"),
-        (["DATA", "DATA", "participant"], "a dataset of their own"),
+        (["NONE", "OUT", "participant"], "is not a folder"),
+        (["DATA", "DATA", "participant"], "another folder for the results"),
         (["", "OUT", "participant"], "BIDS_OR_DERIVATIVES is empty"),
-        (["DATA", "OUT", "participant", "--participant-label", "01", "99"], "no subject '99'; there are 01, 02"),
+        (["DATA", "OUT", "participant", "--participant-label", "01", "99"], "no subject '99'; it has 01, 02"),
         (["DATA", "OUT", "participant", "--participant-label", "../01"], "no subject '../01'"),
         (["DATA", "OUT", "participant", "--session-label", "a"], "no subject with the session a"),
         (["DATA", "OUT", "group"], "invalid choice"),
         (["DATA", "OUT", "participant", "--atlas", "fsaverage"], "NAME=FOLDER"),
-        (["DATA", "OUT", "participant", "--atlas", "fsaverage=NONE"], "is no atlas"),
+        (["DATA", "OUT", "participant", "--atlas", "fsaverage=NONE"], "is not an atlas"),
         (["DATA", "OUT", "participant", "--atlas", "fs-LR=DATA"], "letters and digits"),
         (["DATA", "OUT", "participant", "--n-cpus", "0"], "1 or more"),
     ],
@@ -231,7 +231,7 @@ def test_a_full_disk_is_an_error(data, tmp_path):
         subprocess.run(["umount", str(disk)], check=True)
 
 
-def test_a_signal_ends_it_without_results(data, tmp_path):
+def test_a_signal_ends_the_app_without_results(data, tmp_path):
     command = [sys.executable, "-m", "spherical_parameterization.bids", str(data / "freesurfer"), str(tmp_path), "participant"]
     process = subprocess.Popen(command, env=environment(), stderr=subprocess.PIPE, text=True)
     while not list(tmp_path.glob(".sub-01.work/*")):
@@ -255,22 +255,22 @@ def test_sessions_and_datasets_of_images(data, tmp_path):
     anat = tmp_path / "out/sub-01/ses-b/anat"
     assert (anat / "sub-01_ses-b_hemi-R_space-fsLR_desc-msmsulc_sphere.surf.gii").is_file()
     shutil.copytree(data / "freesurfer/sub-01", study / "derivatives/freesurfer/sub-01")
-    assert "name one of" in run(study, tmp_path / "other", "participant", status=2).stderr
+    assert "give one of" in run(study, tmp_path / "other", "participant", status=2).stderr
 
 
-def test_resuming_knows_what_has_changed(data, tmp_path):
+def test_resuming_detects_changes(data, tmp_path):
     fsaverage, fslr = data / "freesurfer/fsaverage", data / "tpl-fsLR"
     arguments = (data / "freesurfer", tmp_path, "participant", "--participant-label", "01", "--hemi", "L", "--resume")
     run(*arguments, "--atlas", f"a={fsaverage}", "--atlas", f"b={fslr}")
     assert "done" in run(*arguments, "--atlas", f"b={fsaverage}", "--atlas", f"a={fslr}").stdout
     relative = os.path.relpath(data / "freesurfer", tmp_path.parent)
     same = (relative, *arguments[1:], "--atlas", f"b={fsaverage}", "--atlas", f"a={fslr}")
-    assert "left out" in run(*same, cwd=tmp_path.parent).stdout
-    # The other hemisphere does not remove the first one, and what is not made any more is gone.
+    assert "skipped" in run(*same, cwd=tmp_path.parent).stdout
+    # Processing one hemisphere keeps the other one, and removes outdated results.
     other = [word if word != "L" else "R" for word in arguments]
     run(*other, "--atlas", f"a={fsaverage}")
     for _ in range(2):
-        assert "left out" in run(*other, "--atlas", f"a={fsaverage}").stdout
+        assert "skipped" in run(*other, "--atlas", f"a={fsaverage}").stdout
     assert (tmp_path / "sub-01/anat/sub-01_hemi-L_sphere.surf.gii").is_file()
     run(*other, "--atlas", f"b={fsaverage}")
     assert not list(tmp_path.rglob("*hemi-R_space-a_*")) and list(tmp_path.rglob("*hemi-L_space-a_*"))
@@ -285,7 +285,7 @@ def test_results_of_another_input_are_removed(data, tmp_path):
     assert not list((tmp_path / "out").rglob("*hemi-L*")) and list((tmp_path / "out").rglob("*hemi-R*"))
 
 
-def test_a_metric_that_is_wrong_keeps_nothing_else(data, tmp_path):
+def test_an_invalid_metric_does_not_affect_other_results(data, tmp_path):
     study = tmp_path / "study"
     shutil.copytree(data / "freesurfer/sub-01", study / "sub-01")
     nb.freesurfer.write_morph_data(study / "sub-01/surf/lh.thickness", np.zeros(5, np.float32))
@@ -299,7 +299,7 @@ def test_a_metric_that_is_wrong_keeps_nothing_else(data, tmp_path):
     assert "sub-01_hemi-R_space-fsaverage_den-3k_thickness.shape.gii" in left
 
 
-def test_sessions_without_surfaces_are_none(data, tmp_path):
+def test_sessions_without_surfaces_are_ignored(data, tmp_path):
     study = tmp_path / "study"
     shutil.copytree(data / "derivatives", study)
     (study / "sub-01/ses-1/func").mkdir(parents=True)
@@ -325,14 +325,14 @@ def test_an_atlas_of_several_densities(data, tmp_path):
         shutil.copy(path, folder / path.name.replace("den-32k", "den-59k"))
         (folder / path.name.replace("den-32k", "den-164k")).touch()
     arguments = (data / "freesurfer", tmp_path / "out", "participant", "--participant-label", "01", "--hemi", "L")
-    assert "name a density, as in fsLR:" in run(*arguments, "--atlas", f"fsLR={folder}", status=2).stderr
+    assert "give a density, as in fsLR:" in run(*arguments, "--atlas", f"fsLR={folder}", status=2).stderr
     assert "empty" in run(*arguments, "--atlas", f"fsLR:164k={folder}", status=2).stderr
     run(*arguments, "--atlas", f"fsLR:32k={folder}")
 
 
 @pytest.mark.parametrize("step", ["map", "register"])
 def test_a_program_that_is_interrupted_has_no_result(data, tmp_path, step):
-    """Of a signal, the program writes what it has, and says so in its report."""
+    """After a signal, the program writes an incomplete result, and its report states this."""
     from spherical_parameterization.bids import _inputs, _work
 
     program = tmp_path / "program"
@@ -345,21 +345,21 @@ def test_a_program_that_is_interrupted_has_no_result(data, tmp_path, step):
     out.mkdir()
     atlas = _inputs.find_atlas("fsaverage", None, data / "freesurfer/fsaverage", ["L"])
     subject = _inputs.find_subjects(data / "freesurfer", ["01"], None, [])[0]
-    is_new, made = _work.process(subject, _work.Run(str(program), "0", out, ["L"], [atlas], [], "reg", 1), False)
-    assert is_new and made.failures == ["hemisphere L: the program was interrupted by a signal"]
+    is_new, result = _work.process(subject, _work.Run(str(program), "0", out, ["L"], [atlas], [], "reg", 1), False)
+    assert is_new and result.failures == ["hemisphere L: the program was interrupted by a signal"]
     assert not list(out.rglob("*_desc-reg_*")) and len(list(out.rglob("*_sphere.surf.gii"))) == (step == "register")
 
 
-def test_files_of_others_among_the_notes(data, tmp_path):
-    note = tmp_path / "sub-01/anat/sub-01_desc-provenance_surfaces.json"
-    note.parent.mkdir(parents=True)
+def test_invalid_provenance_files_are_not_replaced(data, tmp_path):
+    provenance = tmp_path / "sub-01/anat/sub-01_desc-provenance_surfaces.json"
+    provenance.parent.mkdir(parents=True)
     for text in ("mine", "{}", '{"files": {"sub-01.html": null}, "program": "spherical_parameterization_bids"}'):
-        note.write_text(text)
+        provenance.write_text(text)
         result = run(data / "freesurfer", tmp_path, "participant", "--participant-label", "01", "--hemi", "L", status=1)
-        assert "was not written by this program" in result.stderr and note.read_text() == text
+        assert "was not written by this program" in result.stderr and provenance.read_text() == text
 
 
-def test_nobody_reads_the_output(data, tmp_path):
+def test_a_closed_standard_output(data, tmp_path):
     command = f'"{sys.executable}" -m spherical_parameterization.bids "{data / "freesurfer"}" out participant --hemi L'
     subprocess.run(["sh", "-c", f"{command} | true"], env=environment(), cwd=tmp_path, check=True)
     assert len(list((tmp_path / "out").glob("sub-*.html"))) == 2

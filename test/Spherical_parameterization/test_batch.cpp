@@ -22,17 +22,17 @@ TEST_F(Batch, maps_what_is_valid_and_tells_what_is_not)
   fs::create_directory(path("in/folder.off"));
   write("more/last one.OFF", corner_off);
 
-  const auto told = run_batch("in 'more/last one.OFF' --output-folder new/out", 1);
-  ASSERT_EQ(told.size(), 7u);
-  EXPECT_EQ(told.at("in/bumpy.off").substr(0, 20), "162 vertices, D_iso ");
-  EXPECT_EQ(told.at("in/torus.off").substr(0, 35), "failed: the surface has the genus 1");
-  EXPECT_EQ(told.at("in/empty.ply").substr(0, 8), "failed: ");
-  EXPECT_EQ(told.at("in/text.ts").substr(0, 8), "failed: ");
+  const auto said = run_batch("in 'more/last one.OFF' --output-folder new/out", 1);
+  ASSERT_EQ(said.size(), 7u);
+  EXPECT_EQ(said.at("in/bumpy.off").substr(0, 20), "162 vertices, D_iso ");
+  EXPECT_EQ(said.at("in/torus.off").substr(0, 35), "failed: the surface has the genus 1");
+  EXPECT_EQ(said.at("in/empty.ply").substr(0, 8), "failed: ");
+  EXPECT_EQ(said.at("in/text.ts").substr(0, 8), "failed: ");
   for(const char* message :
       {"in/torus.off: the surface has the genus 1", "The command repair, or --repair, cuts handles",
        "in/empty.ply: ", "in/text.ts: line 1: a surface of a GOCAD file begins with GOCAD"})
     expect_part(m_outcome.err, message);
-  expect_part(m_outcome.out, "\nMapped 4, left out 0, folded 0, failed 3; ");
+  expect_part(m_outcome.out, "\nMapped 4, skipped 0, not bijective 0, failed 3; ");
 
   // nothing but what was mapped, and nothing temporary
   EXPECT_EQ(names_of_files("new/out"), (Names{"bumpy.off", "bumpy.json", "corner.obj", "corner.json", "last one.OFF",
@@ -82,10 +82,10 @@ TEST_F(Batch, gives_all_meshes_the_faces_of_a_template)
     EXPECT_EQ(content(path(name)).substr(0, 11), "OFF\n42 80 0");
   EXPECT_EQ(json("out/a.json").get<std::string>("match.template"), "model.off");
   run_batch("in --template model.off --output-folder out --resume", 0);
-  expect_part(m_outcome.out, "left out 2");
+  expect_part(m_outcome.out, "skipped 2");
   write_off("model.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1.3, 0.85)); // then all are done again
   run_batch("in --template model.off --output-folder out --resume", 0);
-  expect_part(m_outcome.out, "Mapped 2, left out 0");
+  expect_part(m_outcome.out, "Mapped 2, skipped 0");
 }
 
 TEST_F(Batch, chooses_the_format)
@@ -123,23 +123,23 @@ TEST_F(Batch, refuses_to_start)
       {"in other/b.obj --output-folder out", "out/b.json: would be written for both in/b.off and other/b.obj"},
       {"in in/b.off --output-folder out", "in/b.off: is given twice"},
       {"in ./in/b.off --output-folder out", "./in/b.off: is given twice"},
-      {"in missing.off --output-folder out", "missing.off: there is no such file"},
-      {"in missing --output-folder out", "missing: there is no such file"},
-      {"in file --output-folder out", "file: the name of a mesh file has to end with one of .off"},
-      {"empty --output-folder out", "empty: there is no mesh file in this folder"},
-      {"in '' --output-folder out", ": there is no such file"},
-      {"in --output-folder in", "in: the results would be among the meshes"},
-      {"in --output-folder ./in/../in --format ply", "the results would be among the meshes"},
+      {"in missing.off --output-folder out", "missing.off: no such file"},
+      {"in missing --output-folder out", "missing: no such file"},
+      {"in file --output-folder out", "file: the name of a mesh file must end with one of .off"},
+      {"empty --output-folder out", "empty: this folder contains no file whose name ends with one of .off"},
+      {"in '' --output-folder out", ": no such file"},
+      {"in --output-folder in", "in: the results would be written among the meshes"},
+      {"in --output-folder ./in/../in --format ply", "the results would be written among the meshes"},
       {"in/a.off --output-folder in", "in/a.off: would replace an input"},
       {"linked/a.off --output-folder linked", "linked/a.off: would replace an input"},
       {"bare.off --output-folder .", "bare.off: would replace an input"},
       {"other/c.obj --format off --output-folder in --initial in/c.off", "in/c.off: would replace an input"},
-      {"in --output-folder file", "file: cannot be made"},
-      {"in --output-folder file/out", "file/out: cannot be made"},
+      {"in --output-folder file", "file: cannot be created"},
+      {"in --output-folder file/out", "file/out: cannot be created"},
       {"in --output-folder /proc", "cannot be written"},
-      {"in --output-folder ''", "--output-folder needs a name"},
-      {"in --output-folder out --format stl", "--format has to be one of off, obj, ply, ts, gifti or freesurfer"},
-      {"--output-folder out", "batch takes INPUT"},
+      {"in --output-folder ''", "--output-folder needs a file name"},
+      {"in --output-folder out --format stl", "--format must be off, obj, ply, ts, gifti or freesurfer"},
+      {"--output-folder out", "usage: batch INPUT"},
       {"in/a.off in/b.off", "--output-folder"},
       {"in --output-folder out --each-component", "but of map, remesh and repair"},
       {"in/a.off --density in/a.off --output-folder out", "--density"},
@@ -213,7 +213,7 @@ TEST_F(Batch, goes_on_if_nobody_reads_what_it_tells)
 {
   write_meshes({"a.off", "b.off", "c.off"});
   m_outcome = run_script("{ \"$PROGRAM\" batch in --output-folder out --threads 1; echo $? >&2; } | true");
-  EXPECT_EQ(m_outcome.err, "spherical_parameterization: the standard output cannot be written\n1\n");
+  EXPECT_EQ(m_outcome.err, "spherical_parameterization: cannot write to the standard output\n1\n");
   EXPECT_EQ(names_of_files("out").size(), 6u);
 }
 
@@ -234,10 +234,10 @@ TEST_F(Batch, maps_the_others_where_links_lead_nowhere)
   write_meshes({"a.off"});
   fs::create_symlink("nowhere", path("in/broken.off"));
   fs::create_symlink("loop.off", path("in/loop.off"));
-  const auto told = run_batch("in --output-folder out", 1);
-  EXPECT_EQ(told.size(), 3u);
-  EXPECT_EQ(told.at("in/broken.off"), "failed: No such file or directory");
-  EXPECT_EQ(told.at("in/loop.off"), "failed: Too many levels of symbolic links");
+  const auto said = run_batch("in --output-folder out", 1);
+  EXPECT_EQ(said.size(), 3u);
+  EXPECT_EQ(said.at("in/broken.off"), "failed: No such file or directory");
+  EXPECT_EQ(said.at("in/loop.off"), "failed: Too many levels of symbolic links");
   EXPECT_EQ(names_of_files("out"), (Names{"a.off", "a.json"}));
 }
 
@@ -263,14 +263,14 @@ TEST_F(Batch, tells_by_its_exit_status_what_has_become_of_the_meshes)
   write_meshes({"a.off", "b.off"});
   run_batch("in --output-folder out --method conformal", 0);
   write_off("in/spiky.off", test_meshes::random_stacked_sphere(300, 7));
-  auto told = run_batch("in --output-folder out --method conformal", 2);
-  expect_part(told.at("in/spiky.off"), ", folds: ");
-  expect_part(m_outcome.err, "in/spiky.off: the map is not one-to-one");
-  expect_part(m_outcome.out, "Mapped 3, left out 0, folded 1, failed 0");
+  auto said = run_batch("in --output-folder out --method conformal", 2);
+  expect_part(said.at("in/spiky.off"), ", not bijective: ");
+  expect_part(m_outcome.err, "in/spiky.off: the map is not bijective");
+  expect_part(m_outcome.out, "Mapped 3, skipped 0, not bijective 1, failed 0");
   EXPECT_TRUE(fs::exists(path("out/spiky.off")));
   EXPECT_EQ(redone("in --method conformal", 2), Names());
-  expect_part(m_outcome.out, "Mapped 0, left out 3, folded 1, failed 0");
-  EXPECT_EQ(m_outcome.err, "spherical_parameterization: in/spiky.off: the map of an earlier run is not one-to-one\n");
+  expect_part(m_outcome.out, "Mapped 0, skipped 3, not bijective 1, failed 0");
+  EXPECT_EQ(m_outcome.err, "spherical_parameterization: in/spiky.off: the map of an earlier run is not bijective\n");
   write("in/bad.off", "");
   run_batch("in --output-folder out --method conformal", 1);
   EXPECT_EQ(redone("in --method conformal", 1), Names{"bad.off"});

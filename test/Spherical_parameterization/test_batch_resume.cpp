@@ -36,7 +36,7 @@ TEST_F(Resumed_batch, leaves_out_exactly_what_is_done)
   EXPECT_EQ(redone("in"), all);
   const fs::file_time_type time = fs::last_write_time(path("out/a.off"));
   EXPECT_EQ(redone("in"), Names());
-  expect_part(m_outcome.out, "Mapped 0, left out 6, folded 0, failed 0");
+  expect_part(m_outcome.out, "Mapped 0, skipped 6, not bijective 0, failed 0");
   EXPECT_EQ(redone("in --threads 1"), Names()); // as it is the same map
   EXPECT_EQ(redone("in/../in"), Names());       // as it is the same file
   EXPECT_EQ(fs::last_write_time(path("out/a.off")), time);
@@ -101,7 +101,7 @@ TEST_F(Resumed_batch, leaves_out_exactly_what_is_done)
     EXPECT_EQ(redone(std::string("in ") + options), rest);
     EXPECT_EQ(redone(std::string("in ") + options), Names());
   }
-  // without --resume nothing is left out
+  // without --resume nothing is skipped
   EXPECT_EQ(run_batch("in --output-folder out", 0).size(), rest.size());
   EXPECT_EQ(run_batch("in --output-folder out", 0).size(), rest.size());
 }
@@ -141,7 +141,7 @@ struct Interrupted_batch : Batch_fixture
       fs::copy_file(path("in/0.off"), path("in/" + std::to_string(i) + ".off"));
   }
 
-  // returns the names without endings of the meshes that are told to be mapped, which are not all. A busy machine may let
+  // returns the names without endings of the meshes that are reported as mapped, which are not all. A busy machine may let
   // the signal come after the last mesh: then all is repeated.
   Names interrupt_by(const std::string& signal, const std::string& preparation, const std::string& options = "") const
   {

@@ -406,7 +406,7 @@ bool seems_positive(const Map<Number>& map)
 }
 
 // Examines so many maps and all faults of each. Some of the folds, and of the maps without, are such that rounded arithmetic
-// does not tell them apart, if coordinates have more digits than a float.
+// does not distinguish them, if coordinates have more digits than a float.
 template <class Kernel>
 void expect_all_found(std::size_t n, std::uint64_t seed)
 {

@@ -70,7 +70,7 @@ Triangle_list surface_of_revolution(double bottom, const std::vector<Ring>& ring
   return list;
 }
 
-// Puts a tube of `n_rings` triangles with a pyramid on top in the place of the face, `length` long and getting thinner
+// Puts a tube of `n_rings` triangles with a pyramid on top instead of the face, `length` long and getting thinner
 // to the factor `taper`. Its last three faces are those of the pyramid.
 void extrude(Triangle_list& list, std::size_t face, double length, std::size_t n_rings, double taper)
 {

@@ -40,7 +40,7 @@ TEST(Independent_sets, are_independent_and_complete)
     for(std::uint32_t v = 0; v < n; ++v)
       for(const std::uint32_t w : rings.ring(v))
         EXPECT_NE(color[v], color[w]);
-    EXPECT_LE(sets.first.size(), 13u); // a greedy colouring of a planar graph, hardly ever above 7
+    EXPECT_LE(sets.first.size(), 13u); // a greedy coloring of a planar graph, hardly ever above 7
   }
 }
 

@@ -56,7 +56,7 @@ Energy_summary summary_of(const Objective& objective, const Energies& energies)
 Objective at_best_level(double beta, const Energies& energies)
 {
   Objective objective(Sharpness::relative(beta), true);
-  objective.turn_dial();
+  objective.set_final_sharpness();
   objective.start_sweep(0, summary_of(objective, energies));
   for(int k = 0; k < 100 && objective.improve_level(summary_of(objective, energies)) > 1e-13; ++k)
     ;
@@ -139,19 +139,19 @@ TEST(Objective, has_the_level_of_its_minimum)
 TEST(Objective, turns_the_dial_once)
 {
   for(const double beta : {0., 3., 20.})
-    EXPECT_FALSE(Objective(Sharpness::relative(beta), true).turn_dial()) << beta;
-  EXPECT_FALSE(Objective(Sharpness::schedule(), true).turn_dial());
+    EXPECT_FALSE(Objective(Sharpness::relative(beta), true).set_final_sharpness()) << beta;
+  EXPECT_FALSE(Objective(Sharpness::schedule(), true).set_final_sharpness());
   const Energies energies = random_energies(100, 3.);
   Objective objective(Sharpness::lowest_worst(), true);
   objective.start_sweep(0, summary_of(objective, energies));
   EXPECT_NEAR(objective.of_faces().share, 1. / 3., 1e-15);
   EXPECT_NEAR(objective.of_faces().sharpness * objective.of_faces().level, 21., 1e-12);
   const double level = objective.of_faces().level;
-  EXPECT_TRUE(objective.turn_dial());
+  EXPECT_TRUE(objective.set_final_sharpness());
   EXPECT_EQ(objective.of_faces().share, 0.5);
   EXPECT_EQ(objective.of_faces().level, level);
   EXPECT_NEAR(objective.of_faces().sharpness * level, 41., 1e-12);
-  EXPECT_FALSE(objective.turn_dial());
+  EXPECT_FALSE(objective.set_final_sharpness());
 }
 
 TEST(Objective, does_not_overflow)

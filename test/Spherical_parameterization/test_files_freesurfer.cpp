@@ -148,7 +148,7 @@ TEST(FreeSurfer_surface, reads_variants)
   EXPECT_EQ(write_surface(read(read_surface, content)), content);
   content.erase(3 + first_line.size(), 1); // one end of a line
   EXPECT_EQ(read(read_surface, content).points.size(), 4u);
-  // Coordinates that are no numbers are kept: they are a defect of the mesh, of which others tell.
+  // Coordinates that are no numbers are kept: they are a defect of the mesh, which others report.
   Surface_file file = read(read_surface, surface());
   file.points[0] = {{NAN, HUGE_VAL, -HUGE_VAL}};
   file.origin = {};
@@ -257,7 +257,7 @@ TEST(FreeSurfer_annotation, keeps_colors_without_name)
   const std::vector<std::pair<std::int32_t, std::int32_t>> vertices = {
       {0, 0}, {1, 25 + (5 << 8) + (25 << 16)}, {2, -2}, {3, 7}, {4, 0}};
   const std::string content = annotation(2, entries, vertices);
-  const std::string message = "4 vertices have 3 colours that the table of 2 does not name, such as 0 0 0: they are "
+  const std::string message = "4 vertices have 3 colors that the table of 2 does not name, such as 0 0 0: they are "
                               "labels without name.\n";
   const Surface_file file = read(read_annotation, content, message);
   ASSERT_EQ(file.labels.size(), 5u);
@@ -269,7 +269,7 @@ TEST(FreeSurfer_annotation, keeps_colors_without_name)
   const std::size_t size_of_vertices = 4 + 8 * vertices.size();
   EXPECT_EQ(write_annotation(file).substr(0, size_of_vertices), content.substr(0, size_of_vertices));
   const Surface_file without = read(read_annotation, annotation(0, {}, vertices),
-                                    "5 vertices have 4 colours that the table of 0 does not name, such as 0 0 0: they "
+                                    "5 vertices have 4 colors that the table of 0 does not name, such as 0 0 0: they "
                                     "are labels without name.\n");
   EXPECT_EQ(without.labels.size(), 4u);
 }
@@ -279,21 +279,21 @@ TEST(FreeSurfer_annotation, refuses_what_is_wrong)
   const auto with = [](std::int32_t key, std::int32_t green) {
     return annotation(2, {{3, "a", {}}, {key, "b", {{0, green, 0, 0}}}});
   };
-  expect_all_refused(read_annotation, {{"", "ends within vertices"},
-                                       {std::string("\x7F\0\0\0", 4), "too short for 2130706432 vertices"},
-                                       {annotation(2, entries, {{0, 1}, {2, 1}}), "vertex 2 of 2 does not exist"},
-                                       {annotation(2, entries, {{1, 1}, {-1, 1}}), "vertex -1 of 2 does not exist"},
-                                       {annotation(2, entries, {{1, 1}, {1, 1}}), "vertex 1 of 2 is there twice"},
-                                       {annotation(3), "the colour table has the version 3, but 1 and 2 are known"},
-                                       {with(3, 0), "entry 1 of the colour table has the number 3, as another one has"},
-                                       {with(-3, 0), "the number -3, which is out of range"},
-                                       {with(1, 256), "entry 1 of the colour table has a component 256"},
-                                       {annotation(2) + "rest", "goes on after its data"},
-                                       {file_of(0, 2), "the number of colour tables is 2, not 0 or 1"},
-                                       {file_of(0, 1, -2, 4, 1, std::string(1, '\0'), 100000000),
-                                        "too short for 100000000 entries of the colour table"},
-                                       {file_of(0, 1, -2, 4, 0x7FFFFFFF),
-                                        "the name of the colour table has 2147483647 bytes, but 0 follow"}});
+  expect_all_refused(
+      read_annotation,
+      {{"", "ends within vertices"},
+       {std::string("\x7F\0\0\0", 4), "too short for 2130706432 vertices"},
+       {annotation(2, entries, {{0, 1}, {2, 1}}), "vertex 2 of 2 does not exist"},
+       {annotation(2, entries, {{1, 1}, {-1, 1}}), "vertex -1 of 2 does not exist"},
+       {annotation(2, entries, {{1, 1}, {1, 1}}), "vertex 1 of 2 is there twice"},
+       {annotation(3), "the color table has the version 3, but 1 and 2 are known"},
+       {with(3, 0), "entry 1 of the color table has the number 3, as another one has"},
+       {with(-3, 0), "the number -3, which is out of range"},
+       {with(1, 256), "entry 1 of the color table has a component 256"},
+       {annotation(2) + "rest", "goes on after its data"},
+       {file_of(0, 2), "the number of color tables is 2, not 0 or 1"},
+       {file_of(0, 1, -2, 4, 1, std::string(1, '\0'), 100000000), "too short for 100000000 entries of the color table"},
+       {file_of(0, 1, -2, 4, 0x7FFFFFFF), "the name of the color table has 2147483647 bytes, but 0 follow"}});
 }
 
 TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)
@@ -311,7 +311,7 @@ TEST(FreeSurfer_annotation, is_not_written_if_labels_would_be_lost)
   };
   expect("There is no column", [](Surface_file& file) { file.columns.clear(); });
   expect("of 3 vertices of a surface, not of all from 0 on", [](Surface_file& file) { file.vertices = {0, 1, 3}; });
-  expect("the label 7, whose colour is that of a label before it", [](auto& file) { file.columns[0].values[0] = 7.; });
+  expect("the label 7, whose color is that of a label before it", [](auto& file) { file.columns[0].values[0] = 7.; });
   expect("the label 8, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 8.; });
   expect("the label 0.5, which is not in the table", [](Surface_file& file) { file.columns[0].values[0] = 0.5; });
   expect("Two labels have the key 7", [](Surface_file& file) { file.labels[1].key = 7; });

@@ -136,7 +136,7 @@ TEST(GIFTI, reads_a_surface)
   EXPECT_EQ(file.points[3], (std::array<double, 3>{0., 0., 1.}));
   EXPECT_EQ(file.triangles.at(3), (std::array<std::uint32_t, 3>{2, 0, 3}));
   EXPECT_TRUE(std::isnan(read(read_gifti, gifti(points("nan inf -Infinity 0 0 0 0 0 0 0 0 0"))).points[0][0]));
-  // gzip's header in the place of zlib's, Latin letters, and no document type
+  // gzip's header instead of zlib's, Latin letters, and no document type
   const std::string packed = to_base64(pack(bytes_of({1., 2., 3., 4.}, "UINT8", false), true));
   EXPECT_EQ(read(read_gifti, gifti(values("UINT8", packed, "GZipBase64Binary"), 1, "")).columns.at(0).values.at(3), 4.);
   std::string latin = gifti("<MetaData><MD><Name>a</Name><Value>\xE9</Value></MD></MetaData>", 0);
@@ -149,7 +149,8 @@ TEST(GIFTI, reads_a_surface)
                 .columns.at(0)
                 .values.at(0),
             258.);
-  EXPECT_EQ(read(read_gifti, gifti(points(), 3), "The header tells of 3 arrays, but there are 1.\n").points.size(), 4u);
+  EXPECT_EQ(read(read_gifti, gifti(points(), 3), "The header announces 3 arrays, but there are 1.\n").points.size(),
+            4u);
 }
 
 std::string indices(const std::string& data)
@@ -265,7 +266,7 @@ TEST(GIFTI, writes_what_XML_can_hold)
   file.labels = {{1, "a", {}}, {1, "b", {}}};
   expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "Two labels have the key 1");
   file.labels = {{1, "a", {{NAN, 0., 0., 0.}}}};
-  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "Label 1 has a colour that is not finite");
+  expect_not_written(write, SP::ERROR_WRONG_PARAMETER, "Label 1 has a color that is not finite");
   file.labels.clear();
   file.columns.clear();
   file.points = {{{1e39, 0., 0.}}};
@@ -340,7 +341,7 @@ TEST(GIFTI, refuses_what_is_wrong)
                      R"(ArrayIndexingOrder="RowMajorOrder" Endian="MiddleEndian")")),
          "an order is 'MiddleEndian', not LittleEndian or BigEndian");
   // texts
-  expect(of(four, "UINT8", "1 2 3"), "there are 3 numbers, but the dimensions tell of 4");
+  expect(of(four, "UINT8", "1 2 3"), "there are 3 numbers, but the dimensions say 4");
   expect(of(four, "UINT8", "1 2 3 4 5"), "the text goes on after 4 numbers with '5'");
   expect(of(four, "UINT8", "1 2 3 256"), "number 3 is '256', which is none of the type 'NIFTI_TYPE_UINT8'");
   expect(of(four, "INT32", "1 2 3 4.5"), "number 3 is '4.5'");
@@ -352,7 +353,7 @@ TEST(GIFTI, refuses_what_is_wrong)
   expect(in_base64("AAE*AA=="), "the data have '*' where a digit of base 64 is expected");
   expect(in_base64("AA=AAA=="), "where a digit of base 64 is expected");
   expect(in_base64("AAAAAAA"), "the data in base 64 end too early");
-  expect(in_base64("AAAA"), "the data are 3 bytes, but the dimensions tell of 4");
+  expect(in_base64("AAAA"), "the data are 3 bytes, but the dimensions say 4");
   expect(in_base64(to_base64("12345")), "the data are more than 4 bytes");
   expect(of(dimension("1000000000000"), "UINT8", "AAAA", "Base64Binary"), "the data are 3 bytes, but");
   expect(in_zlib(pack("123", false)), "the data are 3 bytes, but");
@@ -383,7 +384,7 @@ TEST(GIFTI, refuses_what_is_wrong)
   expect(gifti("<LabelTable><Label Key=\"x\">a</Label></LabelTable>", 0), "the key of a label is 'x'");
   for(const std::string color : {"x", "nan", "inf"})
     expect(gifti("<LabelTable><Label Key=\"1\" Red=\"" + color + "\">a</Label></LabelTable>", 0),
-           "the colour of a label is '" + color + "'");
+           "the color of a label is '" + color + "'");
   expect(gifti("<LabelTable><Label Key=\"1\">a</Label><Label Key=\"1\">b</Label></LabelTable>", 0),
          "two labels have the key 1");
   expect(gifti(array("SHAPE", "UINT8", four, "ASCII", "1 2 3 4",
@@ -405,7 +406,7 @@ TEST(GIFTI, refuses_what_is_wrong)
   expect(
       gifti(array("POINTSET", "FLOAT32", points_dimensions, "ASCII", "", "",
                   "<CoordinateSystemTransformMatrix><MatrixData>1 0 0</MatrixData></CoordinateSystemTransformMatrix>")),
-      "the matrix has '' in the place of one of its 16 numbers");
+      "the matrix has '' instead of one of its 16 numbers");
   // entities that the document type, which is elsewhere, may declare
   expect(of(four, "UINT8", "1&foo;2 2 3 4"),
          "Array 0 ('NIFTI_INTENT_SHAPE', line 4): the entity 'foo' is not declared");

@@ -453,7 +453,7 @@ TEST(Rotation_of_harmonics, carries_values_along)
     EXPECT_EQ(SP::rotate_spherical_harmonics(harmonics, r), SP::ERROR_WRONG_PARAMETER);
 }
 
-// A surface that is moved, and whose map is turned, comes to the same position, and to that which is told.
+// A surface that is moved, and whose map is turned, comes to the same position, and to the one that is reported.
 TEST(Position, does_not_depend_on_where_the_surface_was)
 {
   Harmonics surface = random_harmonics(8, 4., 11);

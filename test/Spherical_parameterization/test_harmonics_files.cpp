@@ -1,4 +1,4 @@
-// Files of coefficients: those of SPHARM-PDM as that program reads them, tables, and what is told of damaged ones.
+// Files of coefficients: those of SPHARM-PDM as that program reads them, tables, and the messages on damaged ones.
 
 #include "locale_of_commas.h"
 
@@ -42,7 +42,7 @@ void expect_read(Reader read, const std::string& content, SP::Spherical_harmonic
         EXPECT_NEAR(result.coefficient(k, l, m), expected.coefficient(k, l, m), 1e-15);
 }
 
-// Returns what is told.
+// Returns the message.
 std::string refusal(Reader read, const std::string& content)
 {
   std::istringstream in(content);

@@ -1,5 +1,5 @@
 // The maps that BLD is compared with, as whole runs: of surfaces whose conformal map to the sphere is known, or whose map that
-// is as rigid as possible is, with the centre of mass where it belongs, and never with a fold where none is allowed. The
+// is as rigid as possible is, with the center of mass where it belongs, and never with a fold where none is allowed. The
 // method as it was published, and conformal maps by BLD.
 
 #include "methods.h"

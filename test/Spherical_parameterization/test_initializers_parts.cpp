@@ -210,7 +210,7 @@ TEST(Dirichlet_energy, is_the_sum_over_the_edges)
 }
 
 // How far the Laplacian is from being normal to the sphere, as a part of all of it. What a multiplier of the condition
-// on the centre explains does not count: a vector for all vertices, in proportion to their shares in the energy.
+// on the center explains does not count: a vector for all vertices, in proportion to their shares in the energy.
 double tangential_part(const Vertex_rings& rings, const std::vector<double>& weights, const std::vector<Vector_3d>& u)
 {
   std::vector<Vector_3d> tangential;

@@ -208,7 +208,7 @@ TEST(Radius, of_a_sphere_on_a_sphere_is_found_in_one_step)
     const Faces faces = faces_of(test_meshes::scaled(sphere, size, size, size), sphere.points, 1.);
     EXPECT_NEAR(SP::Area_preserving_radius_3()(energy, range(faces), 1.), size, 1e-14 * size);
     EXPECT_NEAR(SP::Area_balancing_radius_3()(energy, range(faces), 1.), size, 1e-14 * size);
-    // The energy's d is that of the planes' distance from the centre, a little below 1: about the largest triangles'
+    // The energy's d is that of the planes' distance from the center, a little below 1: about the largest triangles'
     // inradius squared over two.
     EXPECT_NEAR(SP::Optimal_radius_3()(energy, range(faces), 1.), size, 1e-2 * size);
     EXPECT_EQ(SP::Fixed_radius_3(0.75)(energy, range(faces), 1.), 0.75);

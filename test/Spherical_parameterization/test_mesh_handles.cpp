@@ -13,7 +13,7 @@ namespace {
 
 using Handles = std::vector<SP::Handle<Mesh>>;
 
-// A path may meet a vertex twice, on both sides of another one, where the surface has no size that tells ways apart.
+// A path may meet a vertex twice, on both sides of another one, where the surface has no size that distinguishes paths.
 Handles expect_handles(const Triangle_list& list, std::size_t genus, bool are_simple = true)
 {
   Mesh mesh = make(list);

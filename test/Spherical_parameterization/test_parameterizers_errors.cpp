@@ -186,7 +186,7 @@ Point_3 in_single_precision(const Point_3& p)
   return Point_3(single(p.x()), single(p.y()), single(p.z()));
 }
 
-// with a face of size 1e-12, whose corners cannot be told from each other by numbers of single precision
+// with a face of size 1e-12, whose corners cannot be distinguished in single precision
 Triangle_list with_a_tiny_face()
 {
   Triangle_list list = icosphere(1);

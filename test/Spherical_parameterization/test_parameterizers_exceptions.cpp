@@ -139,7 +139,7 @@ struct Failing_visitor : Visitor
   Countdown& countdown;
 };
 
-// A small mesh with a map that can be told from any that is written, and the checks that both are left alone.
+// A small mesh with a map that differs from any that is written, and the checks that both are left alone.
 class Subject
 {
 public:

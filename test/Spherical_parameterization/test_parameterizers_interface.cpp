@@ -136,7 +136,7 @@ TEST(Concept, distortion_energy_of_single_numbers)
   expect_same_map(Bld().energy(Hooked_energy()), default_images());
 }
 
-// The map is as good as the one that it started from; what the energy has done, the report tells, whatever ended the run.
+// The map is as good as the one that it started from; the report states what the energy has done, whatever ended the run.
 TEST(Concept, distortion_energy_may_not_be_finite)
 {
   for(const double weight : {std::nan(""), std::numeric_limits<double>::infinity()})

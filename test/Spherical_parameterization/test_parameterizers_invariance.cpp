@@ -1,7 +1,7 @@
 // What must not matter: where the surface lies in space, its size, and how its vertices and faces are numbered.
 //
 // The numbering that the package works with follows the shape of the surface, so it is the same for all of these unless the
-// shape leaves a choice. Where two vertices are equally far from the centre, or two neighbours equally good targets of a
+// shape leaves a choice. Where two vertices are equally far from the center, or two neighbours equally good targets of a
 // removal, the caller's numbering decides, and another map, as good as the first, may be found.
 
 #include "methods.h"

@@ -1,5 +1,5 @@
-// Progress and early ends, of every method: what a visitor is told, what the report says, and that a run may end anywhere, by
-// the visitor, the number of iterations or the clock, with a map of which the error code tells the truth.
+// Progress and early ends, of every method: the calls of a visitor, what the report says, and that a run may end anywhere, by
+// the visitor, the number of iterations or the clock, with a map to which the error code is true.
 
 #include "engine.h"
 #include "methods.h"
@@ -109,7 +109,7 @@ std::size_t stop_everywhere(const Method& method, const Triangle_list& list, std
     EXPECT_TRUE(result.error == SP::OK || (method.may_fold() && result.error == SP::ERROR_NO_1_TO_1_MAPPING))
         << SP::get_error_message(result.error);
     EXPECT_EQ(result.report.stop_reason, SP::STOPPED);
-    EXPECT_EQ(stopper.number_of_questions, stop_at); // it is not asked again, but told how things end
+    EXPECT_EQ(stopper.number_of_questions, stop_at); // it is not asked again, but informed of the end
     EXPECT_EQ(stopper.all("initialization_end").size(), 1u);
     EXPECT_EQ(stopper.all("iteration").size(), result.report.number_of_iterations());
     EXPECT_EQ(stopper.all("level").size(), result.report.number_of_levels);

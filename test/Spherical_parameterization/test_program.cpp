@@ -15,7 +15,7 @@ TEST_F(Map_program, writes_all_that_is_asked_for)
 {
   const std::string out = expect_success("sphere.off -o result.off --json result.json --colored result");
   expect_part(out, "D_iso");
-  expect_part(out, "one-to-one");
+  expect_part(out, "bijective");
   EXPECT_EQ(names_of_files(), (Names{"sphere.off", "result.off", "result.json", "result_surface.ply",
                                      "result_sphere.ply", "stdout.txt", "stderr.txt"})); // nothing temporary is left
   const boost::property_tree::ptree report = json();
@@ -138,11 +138,11 @@ TEST_F(Map_program, writes_a_map_with_inverted_faces_and_says_so)
     const std::size_t number_of_inverted_faces = report.get<std::size_t>("distortion.inverted_faces");
     EXPECT_GT(number_of_inverted_faces, 0u);
     const std::string fault = std::to_string(number_of_inverted_faces) + " faces are inverted";
-    expect_part(outcome.out, "Not one-to-one: " + fault);
+    expect_part(outcome.out, "Not bijective: " + fault);
     EXPECT_EQ(outcome.out.find("Certified"), std::string::npos) << outcome.out;
     expect_part(outcome.err, fault);
     // it is a map, but none to start from
-    expect_message("spiky.off --initial result.off", "one-to-one");
+    expect_message("spiky.off --initial result.off", "bijective");
     for(const char* name : {"result.off", "result.json", "result_surface.ply", "result_sphere.ply"})
       EXPECT_TRUE(fs::remove(path(name))) << name;
   }
@@ -152,15 +152,16 @@ TEST_F(Map_program, writes_a_map_with_inverted_faces_and_says_so)
 
   write_off("tentacle.off", test_meshes::with_tentacle(400, 60.)); // which needs more precision
   for(const std::string start : {"stereographic", "harmonic"})
-    expect_messages("tentacle.off ", {{"--initial " + start, "--initial hierarchical"},
-                                      {"--initial " + start, "no one-to-one " + start + " start"},
-                                      {"--method " + start, "--method hierarchical"}});
+    expect_messages("tentacle.off ",
+                    {{"--initial " + start, "--initial hierarchical"},
+                     {"--initial " + start, "the " + start + " initial map is not bijective in double precision"},
+                     {"--method " + start, "--method hierarchical"}});
   expect_success("tentacle.off --initial hierarchical --iterations 1");
 }
 
 TEST_F(Map_program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
 {
-  // Where a small sphere is mapped to the unit sphere, only the balanced radius tells that its shape is kept.
+  // Where a small sphere is mapped to the unit sphere, only the balanced radius shows that its shape is kept.
   write_off("small.off", test_meshes::scaled(test_meshes::icosphere(2), 1e-200, 1e-200, 1e-200));
   for(const char* arguments : {"--method hierarchical", "--method harmonic", "--method conformal",
                                "--method stereographic", "--energy conformal"})
@@ -198,7 +199,7 @@ TEST_F(Map_program, starts_from_a_map)
   write_off("coarse.off", test_meshes::icosphere(1));
   write_off("mirrored.off", test_meshes::scaled(test_meshes::icosphere(2), -1., 1., 1.));
   expect_messages("sphere.off -o result.off --initial ",
-                  {{"missing.off", "missing.off"}, {"coarse.off", "vertices"}, {"mirrored.off", "one-to-one"}});
+                  {{"missing.off", "missing.off"}, {"coarse.off", "vertices"}, {"mirrored.off", "bijective"}});
 }
 
 TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
@@ -209,7 +210,7 @@ TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
   for(const char* density : {"equal", "density.ply"})
   {
     const std::string out = expect_success(std::string("sphere.off -o even.off --json even.json --density ") + density);
-    expect_part(out, "0 of 162 vertices are off by more than 1 %\n");
+    expect_part(out, "0 of 162 vertices differ by more than 1 %\n");
     EXPECT_TRUE(json("even.json").get<bool>("one_to_one"));
     EXPECT_TRUE(json("even.json").get<bool>("areas.reached"));
     EXPECT_LT(json("even.json").get<double>("areas.deviation"), 1e-3);
@@ -221,49 +222,48 @@ TEST_F(Map_program, gives_parts_of_the_surface_the_prescribed_areas)
   expect_messages("sphere.off -o no.off --density ",
                   {{"negative.ply", "the density of vertex 0 is negative"},
                    {"nan.ply", "the density of vertex 0 is negative, infinite or not a number"},
-                   {"other.ply", "is no density"},
+                   {"other.ply", "does not match the mesh"},
                    {"missing.ply", "No such file"},
                    {"sphere.off", "--density needs .ply files"},
-                   {"''", "the word equal"},
+                   {"''", "a file name, or equal"},
                    {"equal --radius area", "--radius and --density cannot be combined"},
                    {"equal --initial harmonic", "--initial and --density cannot be combined"},
-                   {"equal --method arap", "--density goes with --method bld"},
-                   {"density.ply --fill-holes all", "part of --repair now"}});
+                   {"equal --method arap", "--density requires --method bld"},
+                   {"density.ply --fill-holes all", "replaced by --repair"}});
 }
 
 TEST_F(Map_program, refuses_bad_values_with_the_good_ones)
 {
-  expect_messages(
-      "sphere.off -o result.off --json result.json ",
-      {{"--method tutte", "bld, hierarchical, harmonic, conformal, arap, stereographic or schnyder"},
-       {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
-       {"--prefer best", "average, balance, worst or sampling"},
-       {"--initial spherical", "hierarchical, stereographic, harmonic, conformal or schnyder, or the name of a file"},
-       {"--radius 2", "objective, two-phase, optimal, area, balanced or fixed=R"},
-       {"--paper --radius objective", "has to be two-phase, optimal, area, balanced or fixed=R"},
-       {"--tolerance -1", "a number from 0 to 1"},
-       {"--tolerance nan", "a number from 0 to 1"},
-       {"--sharpness -1", "from 0 to 1e6"},
-       {"--sharpness nan", "from 0 to 1e6"},
-       {"--schedule 0,10", "2.3e-308 <= FIRST <= LAST <= 1e6"},
-       {"--schedule 0.1,1e7", "2.3e-308 <= FIRST <= LAST <= 1e6"},
-       {"--schedule 5,1", "--schedule"},
-       {"--schedule 5", "--schedule"},
-       {"--schedule 0.1,1,-1", "--schedule"},
-       {"--schedule 0.1,1,1.5", "--schedule"},
-       {"--iterations -1", "from 0"},
-       {"--iterations many", "from 0"},
-       {"--time-limit -1", "from 2.3e-308 to 1.7e308"},
-       {"--time-limit 1e-320", "from 2.3e-308 to 1.7e308"},
-       {"--threads 0", "from 1"},
-       {"--page page.txt", "a name that ends with .html"},
-       {"--repair --max-added-area 2", "a number from 0 to 1"},
-       {"--repair --max-hole -1", "a number from 0 on"},
-       {"--repair --max-handle x", "a number from 0 on"},
-       {"--repair --wrap 0", "a number from 1e-4 to 1"},
-       {"--repaired a.txt", "a name that ends with .off"},
-       {"--convention freesurfer", "cortex or none"},
-       {"--format bmp", "one of off, obj, ply, ts, gifti or freesurfer"}});
+  expect_messages("sphere.off -o result.off --json result.json ",
+                  {{"--method tutte", "bld, hierarchical, harmonic, conformal, arap, stereographic or schnyder"},
+                   {"--energy elastic", "symmetric-dirichlet, isometric or conformal"},
+                   {"--prefer best", "average, balance, worst or sampling"},
+                   {"--initial spherical", "hierarchical, stereographic, harmonic, conformal, schnyder, or a file"},
+                   {"--radius 2", "objective, two-phase, optimal, area, balanced or fixed=R"},
+                   {"--paper --radius objective", "must be two-phase, optimal, area, balanced or fixed=R"},
+                   {"--tolerance -1", "a number from 0 to 1"},
+                   {"--tolerance nan", "a number from 0 to 1"},
+                   {"--sharpness -1", "from 0 to 1e6"},
+                   {"--sharpness nan", "from 0 to 1e6"},
+                   {"--schedule 0,10", "2.3e-308 <= FIRST <= LAST <= 1e6"},
+                   {"--schedule 0.1,1e7", "2.3e-308 <= FIRST <= LAST <= 1e6"},
+                   {"--schedule 5,1", "--schedule"},
+                   {"--schedule 5", "--schedule"},
+                   {"--schedule 0.1,1,-1", "--schedule"},
+                   {"--schedule 0.1,1,1.5", "--schedule"},
+                   {"--iterations -1", "from 0"},
+                   {"--iterations many", "from 0"},
+                   {"--time-limit -1", "from 2.3e-308 to 1.7e308"},
+                   {"--time-limit 1e-320", "from 2.3e-308 to 1.7e308"},
+                   {"--threads 0", "from 1"},
+                   {"--page page.txt", "a file name that ends with .html"},
+                   {"--repair --max-added-area 2", "a number from 0 to 1"},
+                   {"--repair --max-hole -1", "a number that is not negative"},
+                   {"--repair --max-handle x", "a number that is not negative"},
+                   {"--repair --wrap 0", "a number from 1e-4 to 1"},
+                   {"--repaired a.txt", "a file name that ends with .off"},
+                   {"--convention freesurfer", "cortex or none"},
+                   {"--format bmp", "must be off, obj, ply, ts, gifti or freesurfer"}});
   for(const char* radius : {"0", "-1", "1e-320", "nan", "inf", "", "1x"})
     expect_message(std::string("sphere.off -o result.off --radius fixed=") + radius,
                    "a number R from 2.3e-308 to 1.7e308");
@@ -274,23 +274,23 @@ TEST_F(Map_program, refuses_options_that_would_be_ignored)
   expect_messages("sphere.off -o result.off --json result.json ",
                   {{"--schedule 1,10 --prefer worst", "--schedule and --prefer"},
                    {"--sharpness 1 --prefer worst", "--prefer and --sharpness"},
-                   {"--energy isometric --prefer sampling", "leave out --energy"},
+                   {"--energy isometric --prefer sampling", "omit --energy"},
                    {"--schedule 0.1,3 --sharpness 1", "--schedule and --sharpness"},
                    {"--method harmonic --energy isometric", "bld or hierarchical"},
                    {"--method harmonic --initial stereographic", "bld or arap"},
                    {"--method arap --sharpness 1", "--method bld"},
-                   {"--method arap --radius area", "arap knows --initial, --iterations and --time-limit"},
-                   {"--method conformal --radius area", "conformal knows --iterations and --time-limit"},
+                   {"--method arap --radius area", "arap supports only --initial, --iterations and --time-limit"},
+                   {"--method conformal --radius area", "conformal supports only --iterations and --time-limit"},
                    {"--method stereographic --iterations 5", "bld, harmonic, conformal or arap"},
                    {"--method stereographic --time-limit 5", "stereographic has no settings"},
-                   {"--method hierarchical --iterations 5", "hierarchical knows --energy and --time-limit"},
+                   {"--method hierarchical --iterations 5", "hierarchical supports only --energy and --time-limit"},
                    {"--method hierarchical --schedule 1,10", "--method bld"},
                    {"--paper --method bld", "--method"},
                    {"--paper --energy isometric", "--initial, --schedule, --radius, --iterations"},
                    {"--paper --prefer worst", "--initial, --schedule"},
                    {"--paper --sharpness 1", "--initial, --schedule"},
                    {"--paper --tolerance 0", "--initial, --schedule"},
-                   {"--method harmonic --tolerance 0", "--tolerance goes with --method bld"},
+                   {"--method harmonic --tolerance 0", "--tolerance requires --method bld"},
                    {"--wrap 0.1 --initial sphere.off", "--wrap and a file of --initial cannot be combined"}});
 }
 

@@ -12,8 +12,8 @@ struct File_program : Program_fixture
 
   static std::string too_many_threads(unsigned int n_wanted, unsigned int n_had)
   {
-    return "spherical_parameterization: --threads " + std::to_string(n_wanted) + ": no more than " +
-           std::to_string(n_had) + " can be had here\n";
+    return "spherical_parameterization: --threads " + std::to_string(n_wanted) + ": only " + std::to_string(n_had) +
+           (n_had == 1 ? " thread is available\n" : " threads are available\n");
   }
 };
 
@@ -28,12 +28,12 @@ TEST_F(File_program, refuses_what_it_cannot_read_or_write)
   expect_messages("", {{"missing.off -o result.off", "missing.off"},
                        {"mesh.xyz -o result.off", ".off"},
                        {"bad.off", "bad.off: line 1: an OFF file begins with OFF, not with 'ply'"},
-                       {"nothing.off", "nothing.off: the file begins with nothing but zeros"},
+                       {"nothing.off", "nothing.off: the file begins with zeros only"},
                        {"empty.off", "empty.off: the file is empty"},
                        {"folder.off -o result.off", "folder.off is a folder"},
                        {"folder.off", "folder.off is a folder"},
                        {"folder.off", "--output-folder"},
-                       {"zeros.off -o result.off", "zeros.off: this is a pipe or a device"},
+                       {"zeros.off -o result.off", "zeros.off: it is a pipe or a device"},
                        {"'' -o result.off", "No such file or directory"}});
   expect_messages("sphere.off ", {{"-o missing/result.off", "missing"},
                                   {"-o result.txt", ".off"},
@@ -81,13 +81,13 @@ TEST_F(File_program, fails_where_its_output_cannot_be_written)
   {
     const Outcome outcome = run(std::string(arguments) + " > /dev/full");
     EXPECT_EQ(outcome.status, 1) << arguments;
-    EXPECT_EQ(outcome.err, "spherical_parameterization: the standard output cannot be written\n") << arguments;
+    EXPECT_EQ(outcome.err, "spherical_parameterization: cannot write to the standard output\n") << arguments;
   }
   // the map is not lost
   const Outcome full = run("sphere.off -o result.off > /dev/full");
   EXPECT_EQ(full.status, 1);
-  EXPECT_EQ(full.err, "spherical_parameterization: the standard output cannot be written. All files have been written "
-                      "nevertheless.\n");
+  EXPECT_EQ(full.err,
+            "spherical_parameterization: cannot write to the standard output. All files have been written.\n");
   EXPECT_EQ(run("sphere.off --initial result.off --iterations 0").status, 0);
   fs::remove(path("result.off"));
   // no file gets the place of a stream that is closed, and with it what is meant for that: the file here is a pipe
@@ -144,7 +144,7 @@ TEST_F(File_program, takes_names_of_any_bytes)
   EXPECT_EQ(outcome.out.substr(0, 9 + shown.size()), "[1/1] in/" + shown) << outcome.out;
   EXPECT_EQ(json("out/" + name.substr(0, name.size() - 3) + "json").get<std::string>("input"),
             "in/a\\xff\xc3\xa4\n\x1b[31m\xc2\x9b.off");
-  expect_part(run("batch in --output-folder out --resume").out, "left out 1");
+  expect_part(run("batch in --output-folder out --resume").out, "skipped 1");
   const std::string single = run("'in/" + name + "' -o 'out/" + name + "'").out;
   expect_part(single, "Mesh      in/" + shown);
   expect_part(single, "Written:   out/" + shown);

@@ -74,10 +74,10 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   expect_part(outcome.out, "; time limit");
   expect_message(map + " --quiet -o result.off --time-limit 1e-9 --expected-errors e.ply",
-                 "no --expected-errors can be written");
-  expect_messages(map + " -o result.off ", {{"--morph 2 m.off", "--morph has to be a number from 0 to 1"},
+                 "--expected-errors cannot be written");
+  expect_messages(map + " -o result.off ", {{"--morph 2 m.off", "--morph must be a number from 0 to 1"},
                                             {"--overlay overlay.off", "the name of a .ply file"},
-                                            {"--expected-errors e.off", "--expected-errors has to be a name"},
+                                            {"--expected-errors e.off", "--expected-errors must be a file name"},
                                             {"--expected-errors e.ply --features a.ply b.ply", "cannot be combined"}});
   write_off("torus.off", test_meshes::torus(8, 5));
   expect_message("match sphere.off torus.off -o result.off", "genus");
@@ -86,7 +86,7 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   EXPECT_EQ(run("match hubs.off hubs.off --quiet -o mapped.off --json mapped.json").status, 0);
   EXPECT_LT(json("mapped.json").get<double>("match.sampled_energy"), 2.1);
   expect_message("match hubs.off hubs.off --quiet -o result.off --overlay refined.ply",
-                 "The common refinement of the two surfaces has more");
+                 "The common refinement of the two surfaces exceeds");
 }
 
 TEST_F(Match_program, takes_landmarks)
@@ -113,13 +113,13 @@ TEST_F(Match_program, takes_landmarks)
   write("word.txt", "one\n");
   write("few.txt", "0\n");
   expect_messages(map + " -o result.off --landmarks ",
-                  {{"twice.txt b.txt", "twice.txt: line 3: vertex 3 is a landmark already, in line 1"},
+                  {{"twice.txt b.txt", "twice.txt: line 3: vertex 3 is already a landmark, in line 1"},
                    {"outside.txt outside.txt", "outside.txt: line 2: the mesh has no vertex '42'"},
-                   {"word.txt b.txt", "word.txt: line 1: 'one' is no number"},
+                   {"word.txt b.txt", "word.txt: line 1: 'one' is not a vertex index"},
                    {"a.txt missing.txt", "missing.txt: No such file"},
                    {"few.txt b.txt", "has 3 landmarks, but few.txt has 1"},
                    {"a.txt", "--landmarks"},
-                   {"a.txt b.txt --soft-landmarks 0", "--soft-landmarks has to be"}});
+                   {"a.txt b.txt --soft-landmarks 0", "--soft-landmarks must be"}});
   expect_message(map + " --soft-landmarks 1", "--landmarks");
 }
 
@@ -129,7 +129,7 @@ TEST_F(Match_program, compares_features)
   write("a.ply", ply_with_values(2));
   write("b.ply", ply_with_values(1));
   const std::string left_out =
-      ".ply: not compared: the property 'label' of the vertices, whose type is neither float nor double\n";
+      ".ply: not compared: the vertex property 'label', whose type is neither float nor double\n";
   const std::string warnings = "a" + left_out + "b" + left_out + uncertain;
   expect_part(expect_success(map + features, warnings), "Aligned:   by features");
   EXPECT_EQ(run(map + features + " --feature-weights height=2 --compare values").status, 0);
@@ -137,16 +137,15 @@ TEST_F(Match_program, compares_features)
   write("nan.ply", ply_with_values(1, "float height", std::numeric_limits<double>::quiet_NaN()));
   write("plain.ply", ply_with_values(1, "uchar zero"));
   expect_messages(map + " -o result.off --features ",
-                  {{"a.txt a.txt", "a.txt: this is no file with values of vertices"},
-                   {"b.ply b.ply", "b.ply: has no features for the mesh: it has 42 vertices"},
+                  {{"a.txt a.txt", "a.txt: it is not a file of vertex values"},
+                   {"b.ply b.ply", "b.ply: does not match the mesh: it has values of 42 vertices"},
                    {"a.ply nan.ply", "the property height of vertex 0 is infinite or not"},
-                   {"a.ply plain.ply", "plain.ply: has no property of vertices"}});
+                   {"a.ply plain.ply", "plain.ply: has no vertex property"}});
   for(const char* weights : {"height", "height=x", "=1", "height=-1", "height=1,height=2"})
-    expect_message(map + features + " --feature-weights " + weights,
-                   "--feature-weights has to be a list such as sulc=2");
-  expect_messages(map + features, {{" --feature-weights depth=2", "has no feature of the name 'depth'"},
-                                   {" --feature-weights height=0", "has no feature left"},
-                                   {" --compare shapes", "--compare has to be"}});
+    expect_message(map + features + " --feature-weights " + weights, "--feature-weights must be a list such as sulc=2");
+  expect_messages(map + features, {{" --feature-weights depth=2", "has no compared feature 'depth'"},
+                                   {" --feature-weights height=0", "all features have the weight 0"},
+                                   {" --compare shapes", "--compare must be"}});
   expect_message(map + " --compare values", "--features");
   write("a_mask.ply", ply_with_values(2, "uchar counts"));
   write("b_mask.ply", ply_with_values(1, "uchar counts"));
@@ -154,8 +153,8 @@ TEST_F(Match_program, compares_features)
   EXPECT_EQ(run(map + features + " --masks a_mask.ply b_mask.ply").status, 0);
   expect_messages(map + " -o result.off --masks ",
                   {{"a_mask.ply nothing.ply", "nothing.ply: is 0 for all vertices"},
-                   {"b_mask.ply b_mask.ply", "b_mask.ply: is no mask for the mesh"},
-                   {"a.ply b_mask.ply", "a.ply: is no mask: it has 2 values for each vertex"}});
+                   {"b_mask.ply b_mask.ply", "b_mask.ply: is not a mask of the mesh"},
+                   {"a.ply b_mask.ply", "a.ply: is not a mask: it has 2 values per vertex"}});
 }
 
 // The vertices of the input come first, and the report says which face of the input each one is a part of.

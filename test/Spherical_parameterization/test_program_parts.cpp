@@ -22,7 +22,7 @@ namespace {
 
 TEST(Program_messages, call_what_is_the_same_by_the_same_words)
 {
-  EXPECT_EQ(::Program::message_of(std::bad_alloc()), "the memory does not suffice");
+  EXPECT_EQ(::Program::message_of(std::bad_alloc()), "not enough memory");
   EXPECT_EQ(::Program::message_of(::Program::error_in("a\nb", "c")), "a\\x0ab: c");
 }
 
@@ -74,7 +74,7 @@ TEST(Interrupt_guard, leaves_it_to_nohup_what_a_hangup_means)
   EXPECT_EQ(std::signal(SIGHUP, SIG_DFL), SIG_IGN);
 }
 
-TEST(Interrupt_guard, tells_all_threads_of_a_signal) // as the sanitizer of threads can tell
+TEST(Interrupt_guard, tells_all_threads_of_a_signal) // for the thread sanitizer
 {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(

@@ -63,11 +63,11 @@ TEST_F(Surface_files, a_surface_of_FreeSurfer_becomes_its_sphere)
   expect_success("corner.off -o sphere.off");
   EXPECT_EQ(content(path("lh.off")), content(path("sphere.off")));
   expect_success("lh.white --initial lh.sphere --iterations 0 -o again.off");
-  // The name need not tell the format.
+  // The name need not show the format.
   expect_success("corner.off -o sphere --format freesurfer");
   EXPECT_EQ(read_freesurfer("sphere").points, sphere.points);
   expect_success("sphere -o again.ply");
-  expect_message("corner.off -o sphere", "has to be a name that ends with .off");
+  expect_message("corner.off -o sphere", "must be a file name that ends with .off");
 }
 
 TEST_F(Surface_files, spheres_follow_the_convention_of_the_cortex)
@@ -123,16 +123,17 @@ TEST_F(Surface_files, a_sphere_does_not_fold_in_short_numbers)
   const std::string settings = " --initial end.off --iterations 0 --radius fixed=1 -o ";
   write_off("end.off", test::tube(4, 40, 0.5, 1.));
   expect_success("end.off" + settings + "lh.end");
-  expect_success("end.off --initial lh.end --iterations 0 -o again.off"); // read, and found to be one-to-one
+  expect_success("end.off --initial lh.end --iterations 0 -o again.off"); // is read, and is bijective
 
   for(const char* radius : {"1e308", "1e-100"})
     expect_message("end.off -o lh.range --radius fixed=" + std::string(radius),
-                   "--radius fixed=R has to be from 1e-30 to 1e+38");
+                   "Use --radius fixed=R with R from 1e-30 to 1e+38");
 
   // There is no room for much more.
   write_off("end.off", test::tube(32, 100, 0.8, 1.));
   expect_success("end.off" + settings + "sphere.off");
-  expect_message("end.off" + settings + "lh.large", "lh.large: cannot hold the map: large parts of the surface");
+  expect_message("end.off" + settings + "lh.large",
+                 "lh.large: cannot store the map: on the sphere, large parts of the surface");
 
   // A map that folds is written as it is.
   write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));
@@ -146,8 +147,8 @@ TEST_F(Surface_files, damaged_files_are_named)
   write("lh.text", "nothing of that kind");
   expect_messages(
       "", {{"lh.damaged -o a.off", "lh.damaged: Byte 28: the file is too short for 4 triangles: it is truncated"},
-           {"lh.sulc -o a.off", "lh.sulc: the file has no surface, but values of the vertices of one"},
-           {"lh.text -o a.off", "lh.text: the name of a mesh file has to end with one of .off"}});
+           {"lh.sulc -o a.off", "lh.sulc: the file contains vertex values, but no surface"},
+           {"lh.text -o a.off", "lh.text: the name of a mesh file must end with one of .off"}});
 }
 
 TEST_F(Surface_files, values_are_carried_over)
@@ -163,7 +164,7 @@ TEST_F(Surface_files, values_are_carried_over)
   expect_part(content(path("even.ply")), "property float both_1\nproperty float both_2\n");
   values.columns.resize(4091, values.columns[0]);
   write_by("lh.many.mgz", [&](auto& out, auto& message) { return SP::IO::write_MGH(out, values, message, true); });
-  expect_message(remesh_white + "-o many.ply --transfer lh.many.mgz", "but a .ply file holds at most 4090");
+  expect_message(remesh_white + "-o many.ply --transfer lh.many.mgz", "but a .ply file can have at most 4090");
 #endif
   // those of another surface, whose sphere has its faces
   expect_success("lh.white -o lh.sphere");
@@ -173,10 +174,10 @@ TEST_F(Surface_files, values_are_carried_over)
   expect_messages(remesh_white + "-o even.ply --transfer ",
                   {{"lh.short", "lh.short: has values of 2 vertices, but lh.white has 4"},
                    {"lh.sulc,lh.short", "lh.short: has values of 2 vertices, but lh.sulc of 4"},
-                   {"lh.sulc,lh.sulc", "lh.sulc: has values of the name sulc, as a file before it"},
+                   {"lh.sulc,lh.sulc", "lh.sulc: has values named sulc, like an earlier file"},
                    {"lh.sulc,missing", "missing: No such file"},
                    {"lh.sulc,corner.off", "--transfer needs .ply files"},
-                   {"cortex.label", "cortex.label: has values of 1 vertices of a surface, not of all"},
+                   {"cortex.label", "cortex.label: has values of 1 vertices only"},
                    {"lh.short --values-sphere lh.sphere", "lh.short: has values of 2 vertices, but lh.sphere has 4"}});
 }
 
@@ -199,14 +200,14 @@ TEST_F(Surface_files, features_are_compared_in_their_order_and_masks_may_be_labe
   expect_part(outcome.out, "Aligned:   by features");
   expect_success(map + "--convention none --masks lh.cortex.label lh.mask");
   expect_messages(
-      map,
-      {{"--features lh.sulc lh.short", "lh.short: has no features for the mesh: it has 2 vertices, the mesh has 4"},
-       {"--features lh.nan lh.sulc", "the property nan of vertex 1 is infinite or not a number"},
-       {"--features lh.cortex.label lh.sulc", "lh.cortex.label: has values of 3 vertices of a surface, not of all"},
-       {"--masks lh.cortex.label lh.large.label",
-        "lh.large.label: is no mask for the mesh: it has a vertex 4, the mesh has 4 vertices"},
-       {"--masks lh.cortex.label lh.regions.annot", "lh.regions.annot: is an annotation, which does not say"},
-       {"--masks lh.cortex.label lh.short", "it has 2 vertices, the mesh has 4"}});
+      map, {{"--features lh.sulc lh.short",
+             "lh.short: does not match the mesh: it has values of 2 vertices, the mesh has 4"},
+            {"--features lh.nan lh.sulc", "the property nan of vertex 1 is infinite or not a number"},
+            {"--features lh.cortex.label lh.sulc", "lh.cortex.label: has values of 3 vertices only"},
+            {"--masks lh.cortex.label lh.large.label",
+             "lh.large.label: is not a mask of the mesh: it has a vertex 4, the mesh has 4 vertices"},
+            {"--masks lh.cortex.label lh.regions.annot", "lh.regions.annot: is an annotation, which does not specify"},
+            {"--masks lh.cortex.label lh.short", "it has 2 vertices, the mesh has 4"}});
 }
 
 TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
@@ -258,16 +259,16 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
 
   write_curv("lh.flat", std::vector<double>(own.size(), 0.5));
   expect_message("register lh.folded lh.own --features lh.own lh.own -o lh.sphere.reg", "lh.own");
-  expect_message("register lh.folded lh.folded --features lh.own lh.own -o lh.sphere.reg",
-                 "lh.folded: is no sphere around the origin: its vertices are from ");
-  expect_messages(
-      "register lh.folded lh.atlas -o lh.sphere.reg ",
-      {{"--features lh.own lh.flat", "lh.flat: the property own is the same for all vertices"},
-       {"--features depth,height lh.atlas.own", "lh.atlas.own: has 1 of the features, but depth,height has 2"},
-       {"--features depht lh.atlas.own", "'depht', which is neither a file nor one of depth, height"},
-       {"", "--features"},
-       {"--features depth depth", "--features has 'depth' for the atlas"},
-       {"--features depth lh.atlas.own --split", "--split"}});
+  expect_message(
+      "register lh.folded lh.folded --features lh.own lh.own -o lh.sphere.reg",
+      "lh.folded: is not a sphere around the origin: the distances of its vertices from the origin range from ");
+  expect_messages("register lh.folded lh.atlas -o lh.sphere.reg ",
+                  {{"--features lh.own lh.flat", "lh.flat: the property own is constant"},
+                   {"--features depth,height lh.atlas.own", "lh.atlas.own: has 1 features, but depth,height has 2"},
+                   {"--features depht lh.atlas.own", "'depht', which is neither a file nor one of depth, height"},
+                   {"", "--features"},
+                   {"--features depth depth", "--features has 'depth' for the atlas"},
+                   {"--features depth lh.atlas.own --split", "--split"}});
   run("register lh.folded lh.atlas --features lh.own lh.atlas.own -o reg.off --radius fixed=7 --convention none "
       "--json result.json");
   EXPECT_NEAR(json().get<double>("written_radius"), 50., 1e-4);
@@ -276,7 +277,7 @@ TEST_F(Surface_files, a_surface_is_registered_to_an_atlas)
 TEST_F(Surface_files, hemispheres_that_are_mixed_up_are_reported)
 {
   const std::string map = " --method hierarchical -o on.off --convention none --quiet";
-  const std::string rest = " of the right one\n", mixed = "lh.white is of the left hemisphere, but ";
+  const std::string rest = " to the right one\n", mixed = "lh.white belongs to the left hemisphere, but ";
   fs::copy(path("lh.white"), path("rh.white"));
   write_curv("rh.sulc", {0.5, -1., 2., 3.25});
   expect_success("match lh.white rh.white" + map, mixed + "rh.white" + rest);
@@ -287,7 +288,7 @@ TEST_F(Surface_files, hemispheres_that_are_mixed_up_are_reported)
   expect_success("lh.white -o lh.sphere");
   fs::copy(path("lh.sphere"), path("sub-1_hemi-R_sphere"));
   expect_success("resample lh.sulc lh.sphere sub-1_hemi-R_sphere -o lh.out",
-                 "lh.sphere is of the left hemisphere, but sub-1_hemi-R_sphere" + rest);
+                 "lh.sphere belongs to the left hemisphere, but sub-1_hemi-R_sphere" + rest);
   fs::copy(path("lh.sphere"), path("a.R.sphere"));
   expect_success("resample rh.sulc a.R.sphere a.R.sphere -o rh.out");
   expect_success(
@@ -305,7 +306,7 @@ TEST_F(Surface_files, many_keep_their_names)
   EXPECT_EQ(read_freesurfer("out/lh.white").points.size(), 4u);
   expect_success("batch corner.off in/lh.white --output-folder out2 --format freesurfer");
   EXPECT_EQ(names_of_files("out2"), (Names{"corner", "corner.json", "lh.white", "lh.white.json"}));
-  expect_message("batch in --output-folder out3", "there is no mesh file in this folder");
+  expect_message("batch in --output-folder out3", "this folder contains no file whose name ends with one of .off");
 }
 
 #ifdef TEST_GIFTI
@@ -330,7 +331,7 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
   EXPECT_EQ(sphere.origin.metadata_of_points, metadata_of_sphere("CortexRight"));
   EXPECT_EQ(sphere.origin.coordinate_systems.at(0).data_space, "NIFTI_XFORM_TALAIRACH");
 
-  // FreeSurfer tells by the name which half of the brain a surface is of.
+  // File names of FreeSurfer contain the hemisphere of a surface.
   expect_success("lh.white -o c.surf.gii");
   EXPECT_EQ(read_gifti("c.surf.gii").origin.metadata_of_points, metadata_of_sphere("CortexLeft"));
   EXPECT_EQ(read_gifti("c.surf.gii").points, sphere.points);
@@ -343,7 +344,7 @@ TEST_F(Surface_files, GIFTI_keeps_what_is_known_of_a_surface)
   write("all.txt", "0\n1\n2\n3\n");
   expect_success("match a.surf.gii lh.white --landmarks all.txt all.txt --sphere s.surf.gii -o on.surf.gii --morph "
                  "0.5 m.surf.gii",
-                 "a.surf.gii is of the right hemisphere, but lh.white of the left one\n");
+                 "a.surf.gii belongs to the right hemisphere, but lh.white to the left one\n");
   for(const char* name : {"s.surf.gii", "s_target.surf.gii", "m.surf.gii"})
     EXPECT_TRUE(fs::exists(path(name))) << name;
   EXPECT_EQ(read_gifti("on.surf.gii").origin.metadata_of_points[0].second, "CortexLeft"); // it lies there
@@ -390,7 +391,7 @@ TEST_F(Surface_files, GIFTI_values_are_those_of_the_vertices_that_the_file_names
   for(const std::string& arguments : {std::string("lh.white -o a.off --density "), match})
   {
     EXPECT_EQ(result(arguments + "values.shape.gii"), result(arguments + "lh.values"));
-    expect_message(arguments + "some.shape.gii", "some.shape.gii: has values of 2 vertices of a surface, not of all");
+    expect_message(arguments + "some.shape.gii", "some.shape.gii: has values of 2 vertices only");
   }
   // The first vertices of a surface are not all of it.
   Surface_file first = surface;
@@ -398,7 +399,7 @@ TEST_F(Surface_files, GIFTI_values_are_those_of_the_vertices_that_the_file_names
   first.columns = {{"first", "NIFTI_INTENT_SHAPE", Vertex_values::Type::float32, {1., 2.}, {}}};
   write_gifti("first.surf.gii", first);
   expect_message(remesh_white + "-o even.ply --transfer first.surf.gii",
-                 "first.surf.gii: has values of 2 vertices of a surface, not of all");
+                 "first.surf.gii: has values of 2 vertices only");
 }
 
 TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
@@ -409,7 +410,7 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   values.labels = {{7, "all", {{0., 0., 0., 1.}}}};
   write_gifti("v.func.gii", values);
   expect_success(remesh_white + "-o even.ply --transfer v.func.gii",
-                 "v.func.gii: not carried over: the names and colours of its labels, which a GIFTI file can hold\n");
+                 "v.func.gii: not transferred: the names and colors of its labels, which need a GIFTI file\n");
   expect_success(remesh_white + "-o even.surf.gii --transfer lh.sulc,v.func.gii");
   Surface_file file = read_gifti("even.func.gii");
   ASSERT_EQ(file.columns.size(), 3u);
@@ -428,12 +429,12 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   file = read_gifti("even.func.gii");
   EXPECT_EQ(file.columns.at(0).type, Vertex_values::Type::int32);
   EXPECT_EQ(file.columns[0].values, std::vector<double>(18, 16777217.));
-  // Names that points, colours and comments have in other files; numbers beside labels stay numbers.
+  // Names that points, colors and comments have in other files; numbers beside labels stay numbers.
   whole.columns[0].name = "x";
   whole.columns.push_back({"red #1", "NIFTI_INTENT_SHAPE", Vertex_values::Type::uint8, {1., 1., 1., 1.}, {}});
   write_gifti("names.shape.gii", whole);
   expect_success(remesh_white + "-o even.ply --transfer names.shape.gii",
-                 "names.shape.gii: not carried over: the property 'x' of the vertices, whose name is taken\n");
+                 "names.shape.gii: not transferred: the vertex property 'x', whose name is reserved\n");
   expect_part(content(path("even.ply")), "property uchar red__1\n");
   whole.columns[0].name = "count";
   whole.columns[0].values = {1., 1., 1., 1.};
@@ -442,15 +443,15 @@ TEST_F(Surface_files, values_are_carried_over_to_GIFTI)
   expect_success(remesh_white + "-o even.surf.gii --transfer v.func.gii,names.shape.gii");
   file = read_gifti("even.func.gii");
   ASSERT_EQ(file.columns.size(), 4u);
-  EXPECT_EQ(file.columns[0].name, "red"); // colours come first
+  EXPECT_EQ(file.columns[0].name, "red"); // colors come first
   EXPECT_EQ(file.columns[2].intent, "NIFTI_INTENT_LABEL");
   EXPECT_EQ(file.columns[3].intent, "NIFTI_INTENT_SHAPE");
   values.columns.erase(values.columns.begin());
   values.columns[0].name = "region2";
   write_gifti("w.label.gii", values);
   expect_success(remesh_white + "-o even.surf.gii --transfer v.func.gii,w.label.gii",
-                 "v.func.gii,w.label.gii: not carried over: the names and colours of the labels of w.label.gii, as a "
-                 "file before it has some\n");
+                 "v.func.gii,w.label.gii: not transferred: the names and colors of the labels of w.label.gii, "
+                 "because an earlier file has labels\n");
   expect_message(remesh_white + "-o even.func.gii --transfer lh.sulc", "even.func.gii: would be written twice");
 }
 

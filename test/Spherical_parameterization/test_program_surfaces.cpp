@@ -69,8 +69,8 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
   write_off("flat.off", test_meshes::scaled(test_meshes::icosphere(1), 1., 1., 0.));
   expect_messages("remesh sphere.off ",
                   {{"torus.off -o result.off", "genus"},
-                   {"flat.off -o result.off", "is no mesh of the sphere to sample by"},
-                   {"missing.off -o result.off", "or the name of a file"},
+                   {"flat.off -o result.off", "is not a mesh of the sphere"},
+                   {"missing.off -o result.off", "or a file with a mesh of the sphere"},
                    {"cube=2 -o result.off --sphere result.off", "written twice"},
                    {"octahedron=0", "N from 1 to 5000"},
                    {"octahedron=1.5", "N from 1 to 5000"},
@@ -86,7 +86,7 @@ TEST_F(Surface_program, remeshes_through_the_sphere)
                    {"--geometry-image image.png --image-size 1", "an odd number from 3 to 10001"},
                    {"--geometry-image image.png --image-size 8.5", "an odd number from 3 to 10001"}});
   expect_messages("remesh other.off cube=3 -o result.ply --transfer values.ply",
-                  {{"", "has no values for this mesh"}, {" --values-sphere other.off", "is no map of this mesh"}});
+                  {{"", "does not match this mesh"}, {" --values-sphere other.off", "is not a map of this mesh"}});
 }
 
 // Their points are those and the normals of the remesh by the octahedron.
@@ -154,7 +154,7 @@ TEST_F(Repair_program, maps_a_surface_with_holes)
   const std::string out = expect_success("opened.off --repair -o map.off --repaired repaired.ply --json result.json "
                                          "--colored colored --max-added-area 0.1");
   expect_part(out, "Repaired  2 holes filled\n");
-  expect_part(out, "of the area is new: ");
+  expect_part(out, "patches cover ");
   EXPECT_EQ(json().get_child("repair.patches").size(), 2u);
   EXPECT_GT(json().get_child("repair.patches").front().second.get<double>("share_of_area"), 0.);
   Mesh_file repaired = read_mesh("repaired.ply");
@@ -237,7 +237,7 @@ TEST_F(Repair_program, carries_over_what_belongs_to_the_file)
   EXPECT_EQ(run("match opened.off closed.off -o onto.off --landmarks landmarks.txt landmarks.txt" + repair).status, 0);
   write("gone.txt", "20\n");
   expect_message("match opened.off closed.off -o onto.off --landmarks gone.txt gone.txt" + repair,
-                 "vertex 20 has no face that the repair has left");
+                 "vertex 20 has no face after the repair");
   expect_message("opened.off -o map.off --density values.ply --wrap 0.2" + repair,
                  "--wrap and a file of --density cannot be combined");
   EXPECT_EQ(run("opened.off -o map.off --density values.ply" + repair).status, 0);
@@ -248,7 +248,7 @@ TEST_F(Repair_program, wraps_what_is_no_surface)
   write_off("sheet.off", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
   expect_message("sheet.off --repair -o map.off", "--wrap ALPHA closes gaps");
   const std::string out = expect_success("sheet.off --repair --wrap 0.2 -o map.off --repaired wrapped.ply");
-  expect_part(out, "Repaired  wrapped by ");
+  expect_part(out, "Repaired  wrapped: ");
   EXPECT_EQ(read_mesh("wrapped.ply").columns["vertex source_vertex"].front(), -1.);
   // What needs nothing is as it was.
   expect_success("closed.off -o as_it_is.off");
@@ -263,7 +263,7 @@ TEST_F(Repair_program, maps_one_component_or_each_and_cuts_handles)
   write_off("three.off", test_meshes::disjoint_union(two, test_meshes::tetrahedron()));
   expect_message("three.off -o map.off", "--each-component maps each");
   const std::string out = expect_success("three.off -o map.off --repair --json result.json");
-  expect_part(out, "Repaired  the largest of 3 components kept; faces of the others: 12");
+  expect_part(out, "Repaired  the largest of 3 components kept; the others had 12 faces");
   EXPECT_EQ(json().get<std::size_t>("faces"), 320u);
   EXPECT_EQ(json().get<std::size_t>("repair.components"), 3u);
   expect_part(expect_success("three.off -o map.off --each-component --json each.json"),
@@ -292,7 +292,7 @@ TEST_F(Repair_program, maps_one_component_or_each_and_cuts_handles)
   EXPECT_FALSE(fs::exists(path("of_torus_1.off")));
   EXPECT_EQ(read_mesh("of_torus_2.off").faces.size(), 8u);
 
-  expect_message("torus.off -o map_of_torus.off", "A path of 6 edges around a handle, of length 6, at vertex");
+  expect_message("torus.off -o map_of_torus.off", "A cycle of 6 edges around a handle, of length 6, at vertex");
   const std::string repaired = expect_success("repair torus.off --handles handles.ply --max-added-area 0.5");
   expect_part(repaired, "1 handle cut\n");
   expect_part(repaired, "The surface can be mapped.");
@@ -305,9 +305,9 @@ TEST_F(Surface_program, writes_a_page)
 {
   if(run("show sphere.off -o page.html").err.find("was built without the page") != std::string::npos)
     GTEST_SKIP() << "The program was built without the page.";
-  expect_message("torus.off --page page.html", "show SURFACE -o PAGE.html shows where they are");
+  expect_message("torus.off --page page.html", "show SURFACE -o PAGE.html shows them");
   expect_part(expect_success("show torus.off -o page_of_handles.html"), "Written:   page_of_handles.html\n");
-  expect_part(content(path("page_of_handles.html")), "near handles");
+  expect_part(content(path("page_of_handles.html")), "distance from handles");
   const std::string name = "a<!--b.off";
   write_off(name, test_meshes::icosphere(2));
   expect_success("'" + name + "' --page page.html --quiet");
@@ -316,7 +316,7 @@ TEST_F(Surface_program, writes_a_page)
   EXPECT_EQ(page.find("<!--b"), std::string::npos); // a comment that would swallow the page
   expect_part(page, "a\\u003c!--b.off");
   EXPECT_EQ(in_element(page, "corners").size(), 320u * 3 * 2 / 3 * 4); // of 320 faces, with two bytes each
-  EXPECT_EQ(in_element(page, "folded"), "");
+  EXPECT_EQ(in_element(page, "inverted"), "");
   expect_success("show '" + name + "' -o shown.html");
   EXPECT_EQ(in_element(content(path("shown.html")), "corners"), in_element(page, "corners"));
 
@@ -327,7 +327,7 @@ TEST_F(Surface_program, writes_a_page)
   for(const std::string id : {"left_faces", "right_faces"})
     EXPECT_EQ(in_element(content(path("page.html")), id).size(), (4 * n + 2) / 3 * 4) << id;
   EXPECT_EQ(run("match sphere.off long.off --split --page page.html --convention cortex --quiet").status, 0);
-  const std::string classes = in_element(content(path("page.html")), "folds");
+  const std::string classes = in_element(content(path("page.html")), "sulci");
   EXPECT_FALSE(classes.empty());
   EXPECT_EQ(classes.find_first_not_of("ABEQ="), classes.npos); // 16 bits that are 0 or 1, in base 64
 }

@@ -78,11 +78,10 @@ TEST_F(Ply_files, keep_the_properties_that_have_a_name_of_their_own)
   {
     SCOPED_TRACE(row.of_vertices + "; " + row.of_faces);
     std::string warnings;
-    for(const auto& [names, elements] :
-        Messages{{row.left_out_of_vertices, "vertices"}, {row.left_out_of_faces, "faces"}})
+    for(const auto& [names, elements] : Messages{{row.left_out_of_vertices, "vertex"}, {row.left_out_of_faces, "face"}})
       for(const std::string& name : words_of(names))
         warnings +=
-            "values.ply: not carried over: the property '" + name + "' of the " + elements + ", whose name is taken\n";
+            "values.ply: not transferred: the " + elements + " property '" + name + "', whose name is reserved\n";
     const Outcome outcome =
         transfer(ply_file(binary, {with(row.of_vertices, vertices), with(row.of_faces, faces)}, numbers));
     EXPECT_EQ(outcome.status, 0);
@@ -95,8 +94,8 @@ TEST_F(Ply_files, keep_the_properties_that_have_a_name_of_their_own)
   EXPECT_EQ(
       transfer(ply_file(binary, {with("list uchar float weights", vertices), with("list int uchar weights", faces)}))
           .err,
-      "values.ply: not carried over: the list 'weights' of 'vertex'\n"
-      "values.ply: not carried over: the list 'weights' of 'face'\n");
+      "values.ply: not transferred: the list 'weights' of 'vertex'\n"
+      "values.ply: not transferred: the list 'weights' of 'face'\n");
   numbers["blue"] = Numbers(4, {255});
   const Ply_element colors = {"face",     "list uchar int vertex_indices", "uchar alpha", "uchar blue", "uchar green",
                               "uchar red"};
@@ -117,12 +116,12 @@ TEST_F(Ply_files, tell_what_is_no_feature)
   std::string warnings;
   for(const char* what :
       {"values.ply: not compared: the list 'weights' of 'vertex'", "values.ply: not compared: the elements 'edge'",
-       "values.ply: not compared: the property 'nx' of the vertices, as normals turn with the surface",
-       "values.ply: not compared: the property 'red' of the vertices, whose type is neither float nor double",
-       "values.ply: not compared: the property 'label' of the faces",
-       "values.ply: not compared: the property 'depth' of the vertices, which other.ply has not",
-       "other.ply: not compared: the property 'label' of the faces",
-       "other.ply: not compared: the property 'width' of the vertices, which values.ply has not"})
+       "values.ply: not compared: the vertex property 'nx', because normals are not invariant under rotation",
+       "values.ply: not compared: the vertex property 'red', whose type is neither float nor double",
+       "values.ply: not compared: the face property 'label'",
+       "values.ply: not compared: the vertex property 'depth', which is missing in other.ply",
+       "other.ply: not compared: the face property 'label'",
+       "other.ply: not compared: the vertex property 'width', which is missing in values.ply"})
     warnings += what + std::string("\n");
   expect_success(
       "match corner.off corner.off --features values.ply other.ply -o result.off --method hierarchical --quiet",
@@ -136,8 +135,8 @@ TEST_F(Ply_files, may_have_values_that_are_not_finite_and_undeclared_columns)
                "property float z\nproperty double height\nelement face 4\n"
                "property list uchar int vertex_indices\nend_header\n"
                "0 0 0 nan 8\n1 0 0 inf\n0 1 0 -INF 9 9\n0 0 1 1\n3 0 2 1\n3 0 1 3 4 5\n# c\n\n3 1 2 3\n3 2 0 3\n");
-  EXPECT_EQ(outcome.err, "values.ply: not carried over: what the header does not declare of 'vertex', as in line 14\n"
-                         "values.ply: not carried over: what the header does not declare of 'face', as in line 19\n");
+  EXPECT_EQ(outcome.err, "values.ply: not transferred: what the header does not declare of 'vertex', as in line 14\n"
+                         "values.ply: not transferred: what the header does not declare of 'face', as in line 19\n");
   EXPECT_EQ(properties().count("vertex height"), 1u);
 }
 
@@ -165,7 +164,7 @@ TEST_F(Resampling_program, values_are_interpolated_or_averaged)
 {
   const std::string spheres = "resample lh.height fine.off coarse.off ";
   EXPECT_EQ(expect_success(spheres + "-o lh.barycentric"),
-            "resampled by barycentric weights: 642 to 42 vertices, of which 0 get nothing\n");
+            "Resampled with barycentric weights: 642 to 42 vertices, of which 0 receive no value\n");
   write_curv("lh.areas", std::vector<double>(642, 1.)); // which may be given as values as well
   std::set<std::vector<double>> results;
   for(const auto& [options, tolerance] : {std::pair("-o lh.barycentric --method barycentric", 0.01),
@@ -218,7 +217,7 @@ TEST_F(Resampling_program, the_vertices_that_the_mask_leaves_without_values_are_
     n_empty += valid[v] == 0.;
   }
   EXPECT_GT(n_empty, 10u);
-  expect_part(text, "of which " + std::to_string(n_empty) + " get nothing");
+  expect_part(text, "of which " + std::to_string(n_empty) + " receive no value");
   // The values are a mask as well.
   expect_success("resample lh.height fine.off coarse.off --mask lh.height -o lh.again");
   EXPECT_EQ(read_curv("lh.again"), north);
@@ -239,7 +238,7 @@ TEST_F(Resampling_program, the_vertices_that_the_mask_leaves_without_values_are_
   expect_success("resample lh.height fine.off coarse.off --mask some.shape.gii -o lh.again");
   EXPECT_EQ(read_curv("lh.again"), north);
   expect_message("resample lh.height fine.off coarse.off --areas some.shape.gii coarse.off --method adaptive -o lh.a",
-                 "some.shape.gii: has areas of some vertices of a surface, not of all");
+                 "some.shape.gii: has areas of only some vertices of a surface");
 #endif
 }
 
@@ -248,14 +247,14 @@ TEST_F(Resampling_program, spheres_are_carried_through_a_registration)
   // Through a rotation, it is rotated.
   write_off("turned.off", test_meshes::turned(test_meshes::icosphere(3), 0.5));
   EXPECT_EQ(expect_success("resample coarse.off fine.off turned.off --through -o result.off"),
-            "carried through the registration: 1 sphere\n");
+            "Mapped through the registration: 1 sphere\n");
   expect_near(read_mesh("result.off").points,
               test_meshes::turned(test_meshes::tilted(test_meshes::icosphere(1)), 0.5).points, 1e-14);
   // a registration with inverted faces
   write_off("folded.off", test_meshes::scaled(test_meshes::icosphere(3), 1., 1., -1.));
   const Outcome outcome = run("resample coarse.off fine.off folded.off --through -o result.off");
   EXPECT_EQ(outcome.status, 2);
-  expect_part(outcome.err, "result.off: folds");
+  expect_part(outcome.err, "result.off: the map is not bijective");
   SP::IO::Surface_file sphere; // with a point that is none
   const test_meshes::Triangle_list fine = test_meshes::icosphere(3);
   sphere.points.assign(fine.points.begin(), fine.points.end());
@@ -266,10 +265,10 @@ TEST_F(Resampling_program, spheres_are_carried_through_a_registration)
   write_surface("lh.nan", sphere);
   expect_messages(
       "resample ",
-      {{"coarse.off fine.off coarse.off --through -o a.off", "coarse.off: is of 42 vertices, but fine.off has 642"},
-       {"lh.height fine.off turned.off --through -o a.off", "lh.height: has values of vertices"},
+      {{"coarse.off fine.off coarse.off --through -o a.off", "coarse.off: has 42 vertices, but fine.off has 642"},
+       {"lh.height fine.off turned.off --through -o a.off", "lh.height: contains vertex values"},
        {"coarse.off fine.off lh.nan --through -o a.off",
-        "lh.nan: has a coordinate that is infinite or not a number, of vertex 5"},
+        "lh.nan: vertex 5 has a coordinate that is infinite or not a number"},
        {"coarse.off fine.off fine.off --through --valid a -o a.off", "--valid"}});
 }
 
@@ -289,24 +288,24 @@ TEST_F(Resampling_program, errors_are_named)
                    {"-o lh.a --output-folder b", "--output-folder"},
                    {"--method bld -o lh.a", "barycentric, adaptive, nearest or largest"},
                    {"--method largest -o lh.a", "--method largest needs --areas"},
-                   {"--method nearest --areas fine.off coarse.off -o lh.a", "--areas goes with --method"},
-                   {"-o lh.height", "lh.height: would replace the input"},
-                   {"-o coarse.off", "coarse.off: would replace the input"},
-                   {"-o a.off", "a.off: has to be a name that ends with .gii, .mgh, .mgz or .annot"},
-                   {"-o lh.annot", "lh.annot: cannot hold values without a table of labels"},
+                   {"--method nearest --areas fine.off coarse.off -o lh.a", "--areas requires --method"},
+                   {"-o lh.height", "lh.height: would replace an input"},
+                   {"-o coarse.off", "coarse.off: would replace an input"},
+                   {"-o a.off", "a.off: the name of a file of values must end with .gii, .mgh, .mgz or .annot"},
+                   {"-o lh.annot", "lh.annot: cannot store values without a table of labels"},
                    {"-o lh.a --valid lh.a", "lh.a: would be written twice"},
-                   {"--areas coarse.off fine.off -o lh.a", "coarse.off: is of 42 vertices, but fine.off has 642"},
-                   {"--areas lh.height coarse.off -o lh.a", "lh.height: has an area that is negative"},
-                   {"--areas lh.zero coarse.off -o lh.a --method adaptive", "lh.zero: has no area: all are 0"},
-                   {"--mask lh.zero -o lh.a", "lh.zero: is no mask: no vertex has a positive value"},
-                   {"--mask lh.nan -o lh.a", "lh.nan: is no mask: vertex 641 has a value that is not a number"},
-                   {"--mask coarse.off -o lh.a", "coarse.off: has no values of vertices"}});
+                   {"--areas coarse.off fine.off -o lh.a", "coarse.off: has 42 vertices, but fine.off has 642"},
+                   {"--areas lh.height coarse.off -o lh.a", "lh.height: the area of vertex "},
+                   {"--areas lh.zero coarse.off -o lh.a --method adaptive", "lh.zero: all areas are 0"},
+                   {"--mask lh.zero -o lh.a", "lh.zero: is not a mask: no vertex has a positive value"},
+                   {"--mask lh.nan -o lh.a", "lh.nan: is not a mask: vertex 641 has a value that is not a number"},
+                   {"--mask coarse.off -o lh.a", "coarse.off: is not a mask: it has no vertex values"}});
   expect_messages("resample ",
-                  {{"lh.height coarse.off fine.off -o lh.a", "lh.height: is of 642 vertices, but coarse.off has 42"},
-                   {"fine.off fine.off coarse.off --mask lh.height -o a.off", "leave out --mask"},
-                   {"lh.height fine.off lh.height -o lh.a", "lh.height: has values of vertices, but no surface"},
+                  {{"lh.height coarse.off fine.off -o lh.a", "lh.height: has 642 vertices, but coarse.off has 42"},
+                   {"fine.off fine.off coarse.off --mask lh.height -o a.off", "omit --mask"},
+                   {"lh.height fine.off lh.height -o lh.a", "lh.height: contains vertex values, but no surface"},
                    {"missing fine.off coarse.off -o lh.a", "missing: No such file or directory"},
-                   {"lh.height fine.off folded.off -o lh.a", "folded.off: is no one-to-one sphere"},
+                   {"lh.height fine.off folded.off -o lh.a", "folded.off: is not a sphere"},
                    {"lh.height fine.off torus.off -o lh.a", "torus.off: "},
                    {"lh.height fine.off", "resample"}});
 }
@@ -363,7 +362,7 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   for(std::size_t v = 0; v < directions.size(); ++v)
     EXPECT_TRUE(north.columns[0].values[v] == 3. || (north.columns[0].values[v] == 0. && directions[v][2] < 0.));
 
-  // FreeSurfer's annotations have the colour 0 there.
+  // FreeSurfer's annotations have the color 0 there.
   const SP::IO::Surface_file annotation = read_by("lh.north.annot", SP::IO::read_FreeSurfer_annotation);
   EXPECT_EQ(annotation.labels.back().name, "");
   EXPECT_EQ(annotation.labels.back().color, (std::array<double, 4>{0., 0., 0., 1.}));
@@ -392,16 +391,15 @@ TEST_F(Resampling_program, names_labels_and_metadata_survive)
   wrong.columns.clear();
   wrong.points[7][2] = NAN;
   write_by("nan.surf.gii", [&](auto& out, auto& message) { return SP::IO::write_GIFTI(out, wrong, message); });
-  expect_messages(
-      "resample ",
-      {{"two.label.gii fine.off coarse.off -o lh.a", "lh.a: cannot hold 2 columns"},
-       {"two.label.gii fine.off coarse.off -o a.annot", "a.annot: cannot hold 2 columns"},
-       {"both.surf.gii coarse.off fine.off -o a.off", "a.off: cannot hold the values that come with"},
-       {"nan.surf.gii coarse.off fine.off -o a.off",
-        "nan.surf.gii: has a coordinate that is infinite or not a number, of vertex 7"},
-       {"lh.height fine.off coarse.off --mask two.label.gii -o lh.a",
-        "two.label.gii: is no mask: it has several values"},
-       {"lh.height fine.off coarse.off --mask lh.north.annot -o lh.a", "lh.north.annot: is an annotation"}});
+  expect_messages("resample ", {{"two.label.gii fine.off coarse.off -o lh.a", "lh.a: cannot store 2 columns"},
+                                {"two.label.gii fine.off coarse.off -o a.annot", "a.annot: cannot store 2 columns"},
+                                {"both.surf.gii coarse.off fine.off -o a.off", "a.off: cannot store the values of"},
+                                {"nan.surf.gii coarse.off fine.off -o a.off",
+                                 "nan.surf.gii: vertex 7 has a coordinate that is infinite or not a number"},
+                                {"lh.height fine.off coarse.off --mask two.label.gii -o lh.a",
+                                 "two.label.gii: is not a mask: it has several values"},
+                                {"lh.height fine.off coarse.off --mask lh.north.annot -o lh.a",
+                                 "lh.north.annot: is an annotation"}});
 }
 #endif
 

@@ -540,7 +540,7 @@ TEST(Transfer, follows_its_rules_to_coarser_and_finer_meshes)
     for(const Triangle_list& to : lists)
     {
       SCOPED_TRACE(std::to_string(from.points.size()) + " to " + std::to_string(to.points.size()));
-      Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(tilted(to)); // no centre is on an edge
+      Mapped_mesh source(scaled(from, 1., 1., 2.), from.points), target(tilted(to)); // no center is on an edge
       add_numbers(source);
       const auto region_of = [&](std::size_t i) {
         return region(source.sphere[Vertex_index(static_cast<Mesh::size_type>(i))]);

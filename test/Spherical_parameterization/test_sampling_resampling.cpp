@@ -95,12 +95,12 @@ Weights located(const Sphere& of, const Sphere& in)
 // the weights of the documentation, word by word
 Weights expected_weights(const Pair& pair, bool is_adaptive)
 {
-  const Weights interpolated = located(pair.to, pair.from), handed_out = located(pair.from, pair.to);
+  const Weights interpolated = located(pair.to, pair.from), distributed = located(pair.from, pair.to);
   if(!is_adaptive)
     return interpolated;
   Weights result(pair.to.size());
-  for(std::size_t s = 0; s < handed_out.size(); ++s)
-    for(const auto& [v, weight] : handed_out[s])
+  for(std::size_t s = 0; s < distributed.size(); ++s)
+    for(const auto& [v, weight] : distributed[s])
       result[v][s] = weight;
   std::vector<double> sums(pair.from.size(), 0.);
   for(std::size_t v = 0; v < result.size(); ++v)

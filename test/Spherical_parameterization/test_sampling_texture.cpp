@@ -149,8 +149,8 @@ std::vector<Axes> axes_of(const Triangle_list& sphere, std::size_t n)
   {
     const Triangle t = sphere.triangles[k * sphere.triangles.size() / n];
     const Coordinates &a = sphere.points[t[0]], &b = sphere.points[t[1]], &c = sphere.points[t[2]];
-    const Coordinates middle = combination(1., a, 1., b), centre = combination(1., middle, 1., c);
-    for(const Coordinates& north : {random.direction(), a, middle, centre})
+    const Coordinates middle = combination(1., a, 1., b), center = combination(1., middle, 1., c);
+    for(const Coordinates& north : {random.direction(), a, middle, center})
       for(const Coordinates& zero : {random.direction(), b, c, middle})
         for(const double sign : {1., -1.})
           if(norm(cross(north, zero)) > 1e-9)
@@ -247,7 +247,7 @@ TEST(Texture_coordinates, cover_the_image_in_maps_of_random_meshes)
     double total_area = 0., least_area = 0.;
     expect_whole(textured, total_area, least_area);
     EXPECT_NEAR(total_area, 1., 1e-12);
-    EXPECT_EQ(textured.error, least_area < -1e-10 ? SP::ERROR_FOLDED_TEXTURE : SP::OK) << least_area;
+    EXPECT_EQ(textured.error, least_area < -1e-10 ? SP::ERROR_INVERTED_TEXTURE : SP::OK) << least_area;
   }
 }
 
@@ -311,7 +311,7 @@ TEST(Texture_coordinates, that_stay_folded_are_told)
   }
   const Mesh mesh = make(list);
   const Textured<Mesh> textured(mesh, mesh.points(), Axes());
-  EXPECT_EQ(textured.error, SP::ERROR_FOLDED_TEXTURE);
+  EXPECT_EQ(textured.error, SP::ERROR_INVERTED_TEXTURE);
   double total_area = 0., least_area = 0.;
   expect_whole(textured, total_area, least_area);
   EXPECT_NEAR(total_area, 1., 1e-12);

@@ -94,7 +94,7 @@ TEST(Alignment, depends_neither_on_threads_nor_on_the_unit)
 
 TEST(Alignment, compares_the_features_of_the_caller)
 {
-  // The surfaces are round: all that tells directions apart are the features. Their scale does not matter.
+  // The surfaces are round: only the features distinguish directions. Their scale does not matter.
   Mapped_mesh a(icosphere(3)), b(icosphere(3), as_it_is, turns[3]);
   const auto feature_a = a.mesh.add_property_map<Vertex_index, double>("v:feature").first;
   const auto feature_b = b.mesh.add_property_map<Vertex_index, float>("v:feature").first;
@@ -342,7 +342,7 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);
 
-  // Two landmarks, of which one arm has both, tell less than the features, and are met.
+  // Two landmarks, of which one arm has both, determine less than the features, and are met.
   const Vertex_index tip =
       least_vertex(a.mesh, [&](Vertex_index v) { return -(a.mesh.point(v) - CGAL::ORIGIN).squared_length(); });
   const Vertex_index beside = source(halfedge(tip, a.mesh), a.mesh);
@@ -404,7 +404,7 @@ TEST(Alignment, is_mended_by_eigenfunctions_where_it_has_slid)
     points.push_back(std::sqrt(4. * CGAL_PI) * p);
   const Target_metric metric(second.sphere(), second.points(), {});
   ASSERT_TRUE(
-      lower_on_target(first.rings(), points, {metric, {}, 0.}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
+      minimize_on_target(first.rings(), points, {metric, {}, 0.}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
   surfaces.find_spectra();
   Alignment alignment;
   alignment.directions = directions;

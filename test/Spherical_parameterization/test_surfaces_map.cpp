@@ -24,7 +24,7 @@ struct Asking_visitor : SP::Default_visitor
   bool go_further(std::size_t, double) { return !ask || ask(); }
 };
 
-// The map of one surface onto another one, and what is told of it.
+// The map of one surface onto another one, and its report.
 struct Match
 {
   SP::Error_code error;
@@ -403,7 +403,7 @@ TEST(Split_blocking_edges, refuses_what_is_no_surface)
             SP::ERROR_NON_CLOSED_MESH);
 }
 
-// The surface stays the same set of points, each edge is told, and the map goes on from where it is.
+// The surface stays the same set of points, each edge is reported, and the map goes on from where it is.
 TEST(Split_bent_faces, lowers_the_energy)
 {
   Mapped_mesh a(icosphere(3));
@@ -647,7 +647,7 @@ TEST(Map_surface, brings_features_nearer_by_more_weight)
   EXPECT_LT(last, 0.03); // from 0.06; the spheres have vertices 0.1 apart
 }
 
-// Surfaces that are round: all that tells places apart are features, functions of the points.
+// Surfaces that are round: only the features, functions of the points, distinguish points.
 class Round_surfaces
 {
 public:

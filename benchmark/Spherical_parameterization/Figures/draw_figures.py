@@ -25,7 +25,6 @@ FIGURES = {  # by the names of their functions: the file, and the models that ar
     "opening": ("opening.jpg", ("armadillo",)),
     "package_picture": ("spherical_parameterization.png", ("bunny",)),
     "distortion": ("distortion.jpg", ("max planck", "bunny", "horse", "octopus")),
-    "initial_and_result": ("initial_and_result.jpg", ("coarse bunny",)),
     "sharpness": ("sharpness.jpg", ("hand",)),
     "radius_rules": ("radius_rules.png", ("hand",)),
     "conformal": ("conformal.jpg", ("bunny",)),
@@ -42,7 +41,7 @@ def main() -> None:
     driver.add_program()
     driver.add_meshes()
     driver.add_threads()
-    driver.add_argument("--mesh", type=Path, help="draw this mesh in the place of all others")
+    driver.add_argument("--mesh", type=Path, help="draw this mesh instead of all others")
     driver.add_argument("--output", type=Path, default=MANUAL / "fig", help="the folder to write to (the manual's)")
     driver.add_argument("--scale", type=float, default=1.0, help="draw smaller, or larger, figures (1)")
     driver.add_argument("--runs", type=Path, help="keep the maps in this folder, and use those that are there")

@@ -18,13 +18,13 @@ from PIL import Image
 from patterns import Globe, planet, squares
 from sheet import SMALL_TEXT, TEXT_COLOR, Sheet
 
-SCALE = Scale(1.0, 8.0)  # of all figures, so that equal colours mean the same in each
+SCALE = Scale(1.0, 8.0)  # of all figures, so that equal colors mean the same in each
 ISOMETRIC_LABEL, ANGLE_LABEL = "$D_{\\mathrm{iso}}$", "$D_{\\mathrm{angle}}$"
 EDGE_WIDTH = 1.0  # pixels
 DIVISION = 32  # of the edges of the octahedron that is sampled
 
 PREFERENCES = ("average", "balance", "worst")
-# The hues of the scale of the distortion, and ways to draw a line that differ without colours.
+# The hues of the scale of the distortion, and ways to draw a line that differ without colors.
 LINES = (("#3b528b", "-"), ("#1f9e89", "--"), ("#c2560a", "-."))
 RULES = (("two-phase", "o"), ("optimal", "s"), ("area", "^"), ("balanced", "D"))
 FIXED_RADII = np.linspace(0.7, 1.6, 10)  # in radii of the sphere with the area of the surface
@@ -111,7 +111,7 @@ class Matched:
 
 
 class Session:
-    """The program, and the meshes of a folder, or one `mesh` in the place of all."""
+    """The program, and the meshes of a folder, or one `mesh` instead of all."""
 
     def __init__(self, program: Program, folder: Path | None, mesh: Path | None, scale: float):
         self._program, self._folder, self._scale = program, folder, scale
@@ -222,7 +222,7 @@ def _read_values(path: Path) -> np.ndarray:
 
 
 def opening(session: Session, name: str) -> Sheet:
-    """A surface and its sphere; equal places have equal colours, and the lines are meridians and parallels."""
+    """A surface and its sphere; equal places have equal colors, and the lines are meridians and parallels."""
     mapped = session.map(name)
     sheet, globe = session.sheet(1400, 700), Globe(step=15.0, width=0.5)
     sheet.place(mapped.surface(globe, sheet.pixels(690)), 5, 5)
@@ -347,21 +347,8 @@ def _placed(points: np.ndarray, others: np.ndarray) -> np.ndarray:
     return others.mean(axis=0) + (s @ signs / np.sum(centered**2)) * centered @ (u * signs) @ v
 
 
-def initial_and_result(session: Session, name: str) -> Sheet:
-    """Two initial maps and the result, with the edges of the mesh."""
-    sheet = session.sheet(1400, 637)
-    starts = (("harmonic map", ["--method", "harmonic"]), ("hierarchical map", ["--method", "hierarchical"]))
-    for i, (title, options) in enumerate((*starts, ("result", []))):
-        mapped, x = session.map(name, *options), 20 + 460 * i
-        sheet.place(mapped.sphere(mapped.colors, sheet.pixels(440), EDGE_WIDTH), x, 5)
-        sheet.text(x + 220, 470, title)
-        sheet.text(x + 220, 512, _extremes(mapped.run.distortion.isometric))
-    sheet.color_bar(400, 555, 600, SCALE, ISOMETRIC_LABEL)
-    return sheet
-
-
 def methods(session: Session, *names: str) -> Sheet:
-    """The methods side by side. What folds is of a colour that the scale does not have."""
+    """The methods side by side. Inverted faces have a color that is not in the scale."""
     width, height = 280, 350
     columns = (
         ("harmonic", ["--method", "harmonic"]),

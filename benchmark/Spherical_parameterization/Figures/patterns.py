@@ -1,4 +1,4 @@
-"""Patterns on the sphere: functions from its points to colours."""
+"""Patterns on the sphere: functions from its points to colors."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Globe:
 
 
 def squares(points: np.ndarray) -> np.ndarray:
-    """Squares of alternate colours in Mercator's projection. It keeps angles: on the sphere they are squares, too.
+    """Squares of alternate colors in Mercator's projection. It keeps angles: on the sphere they are squares, too.
 
     Where they have shrunk to half of their size, the next ones are twice as wide.
     """

@@ -1,4 +1,4 @@
-"""What a figure is drawn on: pictures to the pixel, text, a colour bar and diagrams, from the top left on."""
+"""What a figure is drawn on: pictures to the pixel, text, a color bar and diagrams, from the top left on."""
 
 from __future__ import annotations
 

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""Compares two builds of kernel_benchmark, kernel by kernel, on a machine that others may be using as well.
+"""Compares two builds of kernel_benchmark, kernel by kernel, on a machine that may be shared.
 
-A build is a program kernel_benchmark, a folder with the sources of the package, or a git revision of them, which is
-checked out and built in a temporary folder (Release).
+A build is a program kernel_benchmark, a folder with the sources of the package, or a git revision, which is checked out
+and built in a temporary folder (Release).
 
-The two run in turn, in random order within each round, on the same map of the same mesh, and each time as a new process
-from a new copy of the program: a copy lies elsewhere in the memory, which alone can change the time of a kernel by 5 %.
-What is compared are the two times of a round, so that no drift of the machine is taken for a change.
+The two run alternately, in random order within each round, on the same map of the same mesh, each time as a new process
+from a new copy of the program: its address in memory alone can change the time of a kernel by 5 %. The two times of the
+same round are compared, so that a drift of the machine does not count as a change.
 
-If the builds are alike, either has the same chance to be the faster one of a round, and the signed-rank test of
-Wilcoxon holds, whatever the noise is like. The intervals that are printed belong to it: with a probability of 95 %, the
-ratios of the times, NEW over OLD, lie in them, those of all kernels at once.
+If the builds are alike, either is equally likely to be the faster one of a round, and the signed-rank test of Wilcoxon is
+valid for any distribution of the noise. The printed intervals follow from it: with a probability of 95 %, they contain
+the ratios of the times, NEW over OLD, of all kernels together.
 
-The verdict of a kernel: slower or faster, if the interval does not hold 1; same, if it does and no change of 5 % is in
-it; unclear else, and more rounds are needed.
+The verdict of a kernel is "slower" or "faster" if the interval does not contain 1; "same" if it does, and excludes changes
+of 5 %; otherwise "unclear", and more rounds are needed.
 """
 
 import contextlib
@@ -33,14 +33,14 @@ import numpy as np
 from measuring.drivers import Driver, find_program
 from measuring.reports import table
 
-LEVEL = 0.05  # the chance that any kernel is called changed though none has
+LEVEL = 0.05  # the probability that any kernel is reported as changed although none has
 SMALL_CHANGE = 0.05
 PROGRAM = "kernel_benchmark"
 COLUMNS = {"kernel": "kernel", "old": "old [ns]", "new": "new [ns]", "ratio": "ratio", "low": "from", "high": "to"}
 
 
 class Failure(Exception):
-    """What ends the comparison, for the user to read."""
+    """A message for the user that ends the comparison."""
 
 
 def run(command):
@@ -53,7 +53,7 @@ def run(command):
 
 
 def provide_program(stack, build, folder):
-    """Returns the program of a build; `folder` is for what has to be made first."""
+    """Returns the program of a build, which is built in `folder` if needed."""
     sources = pathlib.Path(build)
     if sources.is_file():
         return sources.resolve()
@@ -84,7 +84,7 @@ class Measurement:
         self.arguments = [f"--map={folder / 'map.off'}"] + ([options.mesh] if options.mesh else [])
 
     def names(self, program):
-        """The kernels of a program that are asked for, without what it tells of the machine."""
+        """The selected kernels of a program, without those that measure the machine."""
         settings = ["--benchmark_list_tests=true", f"--benchmark_filter={self.options.kernels}"]
         text = run([program, *settings, *self.arguments])
         return [line for line in text.splitlines() if line and not line.startswith("machine_")]
@@ -107,7 +107,7 @@ class Measurement:
 
 def number_of_outer_averages(count, level):
     """How many of the averages of two of `count` values, themselves included, lie outside of the interval on each side,
-    so that it misses the centre of their symmetric distribution with a probability of at most `level`; 0 if it cannot.
+    so that it misses the center of their symmetric distribution with a probability of at most `level`; 0 if it cannot.
     """
     chances = np.ones(1)  # that the ranks of the positive values have the sum 0, 1, 2, ...
     for rank in range(1, count + 1):
@@ -132,7 +132,7 @@ def verdict_of(low, high):
 
 
 def compare(options, stack):
-    """Returns whether a kernel has become slower than is allowed."""
+    """Returns whether a kernel has become slower than allowed."""
     folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="compare_builds_")))
     programs = []
     for which in ("old", "new"):
@@ -142,12 +142,12 @@ def compare(options, stack):
     old, new = (measurement.names(program) for program in programs)
     kernels = [name for name in old if name in new]
     if not kernels:
-        raise Failure("There is no kernel that both builds have.")
+        raise Failure("The builds have no common kernel.")
     for name in [name for name in old + new if name not in kernels]:
-        print(f"{name}: only the {'old' if name in old else 'new'} build has it.", file=sys.stderr)
+        print(f"{name}: only in the {'old' if name in old else 'new'} build.", file=sys.stderr)
     level = LEVEL / len(kernels)
     if not number_of_outer_averages(options.rounds, level):
-        raise Failure(f"No change of {len(kernels)} kernels can be told in {options.rounds} rounds; make more.")
+        raise Failure(f"{options.rounds} rounds are too few to detect a change of {len(kernels)} kernels; make more.")
 
     times = np.empty((2, options.rounds, len(kernels)))
     for number in range(options.rounds):
@@ -160,7 +160,7 @@ def compare(options, stack):
         ratio, low, high = ratio_with_interval(np.log(times[1, :, i] / times[0, :, i]), level)
         verdict = verdict_of(low, high)
         is_slower |= options.fail_above is not None and verdict == "slower" and ratio > 1 + options.fail_above / 100
-        row = {"kernel": name.split("/")[0], "verdict": verdict}  # the rest of the name tells what the times are
+        row = {"kernel": name.split("/")[0], "verdict": verdict}  # the rest of the name says which times are measured
         row |= {which: f"{np.median(times[k, :, i]):.2f}" for k, which in enumerate(("old", "new"))}
         rows.append(row | {"ratio": f"{ratio:.4f}", "low": f"{low:.4f}", "high": f"{high:.4f}"})
     print(table(COLUMNS | {"verdict": "verdict"}, rows, is_aligned=True))
@@ -178,8 +178,8 @@ def main():
     driver.add_argument("--repetitions", type=int, metavar="N", help=text)
     text = "of each repetition (0.005)"
     driver.add_argument("--min-time", type=float, default=0.005, metavar="SECONDS", help=text)
-    driver.add_argument("--short", action="store_true", help="12 rounds of 2 repetitions: sees large changes only")
-    text = "end with status 1 if a kernel is slower, by more than so much"
+    driver.add_argument("--short", action="store_true", help="12 rounds of 2 repetitions: detects large changes only")
+    text = "end with status 1 if a kernel is slower by more than this"
     driver.add_argument("--fail-above", type=float, metavar="PERCENT", help=text)
     options = driver.parse()
     options.rounds = options.rounds or (12 if options.short else 40)

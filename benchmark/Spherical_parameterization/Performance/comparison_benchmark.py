@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 """Compares programs that map meshes to a sphere with the package, on one thread and on all.
 
-A COMMAND is a line for the shell, with {input} for the mesh file and {output} for the map, which the program has to
-write in the format OFF. For a program with a format of its own write {input.obj}, {input.ply}, {output.obj} and the
-like: the mesh is converted beforehand. The map is a mesh with the vertices in the order of the input, on a sphere
-around the origin, and the same faces in any order. An example:
+A COMMAND is a shell command with {input} for the mesh file and {output} for the map, which the program must write in
+OFF format. For other formats, write {input.obj}, {input.ply}, {output.obj} and the like: the mesh is converted
+beforehand. The map is a mesh with the vertices in the order of the input, on a sphere around the origin, and the same
+faces in any order. An example:
 
   --program 'stereographic=spherical_parameterization {input} -o {output.ply} --method stereographic'
 
 The CPU seconds are those of all processes of a run, in user mode and for system calls; MB is the physical memory of the
-largest of them. All maps are judged alike: certified is what is one-to-one by exact arithmetic; D_iso is at the radius
-of eq. 11, which is not what every program has in mind, and once more at the best one, where the map's own largest D_iso
-is lowest; D_angle is at any. The ratios are those to the package on one thread: above 1, the package is better. Their
-geometric means are over the meshes that both map one-to-one. A program may fail; only without a map of the package's is
-the status 1.
+largest of them. All maps are judged alike: a map is certified if it is bijective by exact arithmetic. D_iso is measured
+at the radius of eq. 11, which not every program aims at, and at the best radius, where the largest D_iso of the map is
+lowest; D_angle does not depend on the radius. The ratios are relative to the package on one thread: above 1, the package
+is better. Their geometric means are over the meshes for which both maps are bijective. A program may fail; the status is
+1 only if a map of the package is missing.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ from measuring.drivers import PROGRAM, PROJECT, Driver, find_program
 from measuring.meshes import MeshFile, find_mesh_files
 from measuring.reports import geometric_mean, number, table
 
-# The images may be as far from the sphere, relatively, as makes no difference to the distortions that are printed:
-# other programs may write few digits.
+# The relative distance of images from the sphere that does not affect the printed distortions: other programs may write
+# few digits.
 MAX_DEVIATION = 1e-4
 
 NAMES = {"mesh": "mesh", "program": "program", "judgement": "judgement"}
@@ -50,7 +50,7 @@ def main() -> None:
     driver.add_limits()
     text = "a program to compare with; may be given several times"
     driver.add_argument("--program", action="append", default=[], metavar="NAME=COMMAND", help=text)
-    text = "the package's own program, with options for its maps if need be"
+    text = "the program of the package, with options if needed"
     driver.add_argument("--package", default=find_program(PROJECT / "build", PROGRAM), metavar="COMMAND", help=text)
     text = "runs of each program on each mesh; times are medians (3)"
     driver.add_argument("--repeat", type=int, default=3, help=text)
@@ -58,14 +58,14 @@ def main() -> None:
     driver.add_argument("inputs", type=Path, nargs="+", metavar="FILE_OR_FOLDER")
     options = driver.parse()
     if options.package is None:
-        driver.error("--package has to say where the package's own program is")
+        driver.error("--package must name the program of the package")
     package = str(options.package) if isinstance(options.package, str) else shlex.quote(str(options.package))
     commands = {"package, 1 thread": f"{package} {{input}} -o {{output}} --quiet --threads 1"}
     commands["package"] = f"{package} {{input}} -o {{output}} --quiet"
     for program in options.program:
         name, separator, command = program.partition("=")
         if not name or not separator or name in commands:
-            driver.error(f"--program needs NAME=COMMAND, with a name of its own, not: {program}")
+            driver.error(f"--program needs NAME=COMMAND with a unique name, not: {program}")
         commands[name] = command
     with tempfile.TemporaryDirectory() as folder:
         limits = (options.time_limit, 2**20 * options.memory_limit)
@@ -75,9 +75,9 @@ def main() -> None:
             own_folder.mkdir()
             programs.append(MappingProgram(name, command, own_folder, *limits))
         rows = [row for file in find_mesh_files(options.inputs) for row in run_all(programs, file, options.repeat)]
-    tell(NAMES | {name: name for name in FIGURES | COSTS} | RATIOS, rows, options.csv)
+    print_table(NAMES | {name: name for name in FIGURES | COSTS} | RATIOS, rows, options.csv)
     counts = [summary(name, [row for row in rows if row["program"] == name]) for name in commands]
-    tell({"program": "geometric means"} | {name: name for name in list(counts[0])[1:6]} | RATIOS, counts, options.csv)
+    print_table({"program": "geometric means"} | {name: name for name in list(counts[0])[1:6]} | RATIOS, counts, options.csv)
     for row in rows:
         if row["reason"]:
             print(f"{row['mesh']}: {row['program']}: {row['reason']}", file=sys.stderr if options.csv else sys.stdout)
@@ -115,7 +115,7 @@ def run_all(programs: list[MappingProgram], file: MeshFile, repetitions: int) ->
 
 
 def summary(name: str, rows: list[dict]) -> dict:
-    """Counts, and the means over the meshes that this program and the first one map one-to-one."""
+    """Counts, and the means over the meshes that this program and the first one map bijectively."""
     counts = {what: sum(row["judgement"] == what for row in rows) for what in ("certified", "folds")}
     common = [row for row in rows if "CPU seconds ratio" in row]
     ratios = {ratio: geometric_mean([row[ratio] for row in common]) for ratio in RATIOS if common}
@@ -123,7 +123,7 @@ def summary(name: str, rows: list[dict]) -> dict:
     return {"program": name, "meshes": len(rows)} | counts | failed | ratios
 
 
-def tell(columns: dict[str, str], rows: list[dict], is_csv: bool) -> None:
+def print_table(columns: dict[str, str], rows: list[dict], is_csv: bool) -> None:
     if is_csv:
         writer = csv.DictWriter(sys.stdout, list(columns), restval="", extrasaction="ignore")
         writer.writeheader()

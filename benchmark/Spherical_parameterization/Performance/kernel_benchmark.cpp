@@ -282,7 +282,7 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
   std::vector<Vector_3d> positions(s.number_of_vertices());
   using Plan = internal::Hierarchical_embedding<Energy>;
   Plan plan(internal::Face_energy<Energy>(Energy()), internal::default_sweeps_per_level, false, false);
-  internal::place_tetrahedron(hierarchy, positions);
+  internal::set_tetrahedron(hierarchy, positions);
   internal::Level_descent<Plan>(hierarchy, s.mesh.points(), internal::Rest_limits(), plan, run.control, execution)
       .run(positions);
   benchmark::DoNotOptimize(positions.data());
@@ -427,7 +427,7 @@ std::size_t locate_by_rays(Situation& s, Execution, benchmark::State&)
 }
 
 // The physical memory that this process has at most, beyond what it has when this object is made. The code of a program,
-// which is read when it is first needed and is there once for all processes, does not count. Only Linux tells.
+// which is read when it is first needed and is there once for all processes, does not count. Only Linux reports it.
 class Peak_memory
 {
 public:

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Measures how fast the package is, on a folder of meshes: the page of the manual on performance, in one run.
+"""Measures the performance of the package on a folder of meshes: the page of the manual, in one run.
 
-Writes report.md, runs.csv and plots; and, when all sections have been measured, manual/, a copy of the page with the
-new tables and figures, to be copied over doc/Spherical_parameterization. Its last two sections, on other programs and
-on kernels, are by hand. Runs are made one after the other, but for those that say "at once": leave the machine alone
-meanwhile. Forty meshes of up to two million vertices take some twenty minutes with --repeat 9, of which paper mode
-takes a fifth; --short takes seconds.
+Writes report.md, runs.csv and plots. If all sections are measured, it also writes manual/, a copy of the page with new
+tables and figures, to be copied to doc/Spherical_parameterization. The page shows some of the meshes, the report all of
+them. The tables of other programs, of kernels, of maps between surfaces and of stages are updated separately. Runs are
+sequential, except for those of several processes at once: leave the machine idle meanwhile. Forty meshes of up to two
+million vertices take about twenty minutes with --repeat 9, of which the published algorithm takes a fifth; --short takes
+seconds.
 """
 
 from __future__ import annotations
@@ -57,40 +58,40 @@ def main() -> None:
 
 def read_options() -> argparse.Namespace:
     driver = Driver(__doc__, SECTIONS, folders=("build", "meshes", "large"))
-    text = "where the program and kernel_benchmark have been built (the project's build)"
+    text = "the build folder with the program and kernel_benchmark (that of the project)"
     driver.add_argument("--build", type=Path, default=PROJECT / "build", help=text)
     driver.add_meshes()
     driver.add_threads()
-    driver.add_argument("--large", type=Path, help="a folder with more of them, above 60,000 vertices")
+    driver.add_argument("--large", type=Path, help="a folder of larger meshes, above 60,000 vertices")
     driver.add_argument("--output", type=Path, required=True, help="the folder to write to")
-    driver.add_argument("--repeat", type=int, help=f"runs of which the medians are taken ({REPETITIONS})")
-    text = f"the meshes that paper mode is run on, separated by commas ({','.join(PAPER_MESHES)})"
+    driver.add_argument("--repeat", type=int, help=f"number of runs; results are medians ({REPETITIONS})")
+    text = f"the meshes for the published algorithm, separated by commas ({','.join(PAPER_MESHES)})"
     driver.add_argument("--paper-meshes", help=text)
-    driver.add_argument("--short", action="store_true", help="few tiny meshes and runs: a test of this driver")
-    text = "end a run after this (7200)"
+    driver.add_argument("--short", action="store_true", help="few small meshes and runs: a test of this driver")
+    text = "time limit of a run (7200)"
     driver.add_argument("--run-limit", type=float, default=7200.0, metavar="SECONDS", help=text)
     options = driver.parse()
     options.repeat = options.repeat or (REPETITIONS_OF_SHORT if options.short else REPETITIONS)
     if options.repeat < 1:
-        driver.error("--repeat has to be 1 or more")
+        driver.error("--repeat must be at least 1")
     return options
 
 
 def make_session(options: argparse.Namespace) -> Session:
     paths = [find_program(options.build, name) for name in (PROGRAM, "kernel_benchmark")]
     if None in paths:
-        sys.exit(f"{options.build} has no {PROGRAM} and kernel_benchmark: build them, or name another folder.")
+        sys.exit(f"{options.build} lacks {PROGRAM} or kernel_benchmark: build them, or name another folder.")
     low, high = (100, MAX_VERTICES_OF_SHORT) if options.short else (MIN_VERTICES, float("inf"))
     corpus, notes = [], []
     for file in find_mesh_files([options.meshes], high):
-        objection = file.objection() if file.number_of_vertices >= low else "it is too small"
+        objection = file.objection() if file.number_of_vertices >= low else "too small"
         if not objection:
             corpus.append(file)
         elif not options.short:
-            notes.append(f"{file.path.name} is left out: {objection}.")
+            notes.append(f"{file.path.name} is omitted: {objection}.")
     corpus.sort(key=lambda file: (file.number_of_vertices, file.name))
     if not corpus:
-        sys.exit(f"There is no closed mesh of genus 0 and of a suitable size in {options.meshes}.")
+        sys.exit(f"{options.meshes} contains no closed mesh of genus 0 of a suitable size.")
     runs = options.output / "runs"
     runs.mkdir(parents=True, exist_ok=True)
     paper_meshes = [corpus[0].name] if options.short else list(PAPER_MESHES)
@@ -110,27 +111,27 @@ def make_session(options: argparse.Namespace) -> Session:
 
 
 def head(session: Session, options: argparse.Namespace, version: str, passed: float) -> list[str]:
-    """What was measured with, and how."""
+    """The machine, the programs and the command of the measurements."""
     large = " --large FOLDER" if options.large is not None else ""
     command = f"measure_performance.py --build BUILD --meshes FOLDER{large} --output REPORT --repeat {options.repeat}"
     where = [
         f"Machine: {describe_machine()}.",
         f"Programs: {session.timings.program(session.threads).version};"
         f" {describe_build(options.build, PROGRAM)}.",
-        f"Threads: {session.threads}, where nothing else is said. One run after the other, but for those at once;"
-        f" medians of {session.repetitions} runs, of at most 3 for what takes long: paper mode, meshes of {LARGE:,}"
-        " vertices and more, and time against distortion.",
-        f"When, and how: {version}, `{command} --threads {session.threads}`.",
+        f"Threads: {session.threads}, unless stated otherwise. Sequential runs, except for those of several processes;"
+        f" medians of {session.repetitions} runs, and of at most 3 for the published algorithm, for meshes of at least"
+        f" {LARGE:,} vertices, and for time against distortion.",
+        f"Date and command: {version}, `{command} --threads {session.threads}`.",
     ]
     session.parts["environment"] = ["\n".join(f"- {fact}" for fact in where)]
     facts = [*where, f"Sections: {', '.join(options.only)}.", f"This report took {duration(passed)}."]
     if options.short:
-        facts.append("Short version: it shows that the driver works, and no more.")
+        facts.append("Short version: it only shows that the driver works.")
     return ["\n".join(f"- {fact}" for fact in [*facts, *session.notes])]
 
 
 def write_manual(session: Session, folder: Path) -> None:
-    """Writes a copy of the page in which all that has been measured is new."""
+    """Writes a copy of the page with the new measurements."""
     text = PAGE.read_text(encoding="utf-8")
     for section, paragraphs in session.parts.items():
         text = fill_in(text, section, "\n\n".join(paragraphs) + "\n")

@@ -1,4 +1,4 @@
-"""The sections of the report on performance; all of them fill in parts of the manual's page."""
+"""The sections of the report on performance; each of them fills in a part of the page of the manual."""
 
 from __future__ import annotations
 
@@ -18,19 +18,36 @@ from timings import TOTAL, Job, Kernels, Timings
 
 MIN_VERTICES = 2500  # smaller meshes say little about speed
 MIN_VERTICES_OF_THREADS = 20_000
-LARGE = 300_000  # meshes that take seconds are measured less often
-MAX_REPETITIONS_OF_LONG = 3  # of what takes long
+LARGE = 300_000  # larger meshes, which take seconds, are measured less often
+MAX_REPETITIONS_OF_LONG = 3  # of runs that take long
+
+# The rows that the page of the manual has; the report has all of them.
+MESHES_OF_MANUAL = (
+    "triceratops_2832",
+    "cow_2904",
+    "bunny_3485",
+    "hand_10345",
+    "blob5_12929",
+    "octopus_16554",
+    "horse_19851",
+    "armadillo_26002",
+    "bimba_45k",
+    "camel_156k",
+    "armadillo_1664002",
+)
+FEW_MESHES_OF_MANUAL = ("bunny_3485", "armadillo_26002", "armadillo_1664002")
+SWEEPS_OF_MANUAL = ("0", "6", "25", "100", "default", "1600")
 
 SHORT_SWEEPS_OF_PAPER = 150  # 100 of eq. 6, and some of eq. 7
-EQUAL = 0.0005  # what is larger by less, relatively, is not worse
+EQUAL = 0.0005  # a value that is larger by less, relatively, is not worse
 
 MESHES_OF_LIMITS = ("bunny_3485", "fandisk_6475", "hand_10345", "bunny_20002", "hand_42068")  # besides the series
 REPETITIONS_OF_LIMITS, REPETITIONS_OF_SHORT = 15, 2
 RATES = ("machine_sums_and_products", "machine_divisions", "machine_square_roots", "machine_exponentials")
 
 SWEEPS, SHORT_SWEEPS = (0, 6, 12, 25, 50, 100, 200, 400, 800, 1600), (0, 25, 50)
-TIMES = (0.25, 0.5, 1.0, 2.0, 4.0)  # in units of the default's
-NOISE = 0.03  # times that differ by no more are the same
+TIMES = (0.25, 0.5, 1.0, 2.0, 4.0)  # in units of the time of the default
+NOISE = 0.03  # times that differ by less are the same
 MAX_VERTICES_OF_TRADE = 60_000
 
 MESH = {"mesh": "Mesh", "vertices": "Vertices"}
@@ -52,8 +69,8 @@ class Session:
     paper_meshes: list[str]
     is_short: bool
     notes: list[str] = field(default_factory=list)
-    objections: list[str] = field(default_factory=list)  # to what was measured
-    parts: dict[str, list[str]] = field(default_factory=dict)  # of the manual
+    objections: list[str] = field(default_factory=list)  # to the measurements
+    parts: dict[str, list[str]] = field(default_factory=dict)  # of the page of the manual
     figures: list[Path] = field(default_factory=list)
     _series: list[MeshFile] = field(default_factory=list)
 
@@ -79,7 +96,7 @@ class Session:
 
     @property
     def measured_meshes(self) -> list[MeshFile]:
-        """All that is measured stage by stage."""
+        """All meshes that are measured stage by stage."""
         files = {file.path: file for file in self.corpus + self.large + self.series}
         return sorted(files.values(), key=lambda file: (file.number_of_vertices, file.name))
 
@@ -93,7 +110,7 @@ class Session:
         return Job(mesh, threads, repetitions=repetitions, copies=copies)
 
     def results(self, threads: int, meshes: list[MeshFile] | None = None) -> list[Result]:
-        """The medians of those meshes that could be measured, by default of all."""
+        """The medians of those of the meshes, by default all, that could be measured."""
         jobs = []
         for mesh in self.measured_meshes:
             jobs += [self.job(mesh, n) for n in self.thread_counts]
@@ -110,23 +127,31 @@ class Session:
     def min_vertices_of_threads(self) -> int:
         return 0 if self.is_short else MIN_VERTICES_OF_THREADS
 
-    def tell(self, section: str, text: str) -> None:
+    def add(self, section: str, text: str) -> None:
         """Adds a paragraph to the report and to the manual."""
         self.report.paragraph(text)
         self.parts.setdefault(section, []).append(text)
 
-    def draw(self, name: str, diagrams: list[Diagram], caption: str) -> None:
-        """Draws a figure for the report and the manual."""
-        self.figures.append(self.report.folder / name)
-        draw(self.figures[-1], diagrams)
+    def add_table(self, section: str, columns: dict, rows: list[dict], key: str = "", shown: tuple = ()) -> None:
+        """Adds a table to the report; the manual gets the rows with one of the values `shown`, or all if there are none."""
+        self.report.paragraph(table(columns, rows))
+        of_manual = [row for row in rows if row.get(key) in shown] or rows
+        self.parts.setdefault(section, []).append(table(columns, of_manual))
+
+    def draw(self, name: str, diagrams: list[Diagram], caption: str, is_in_manual: bool = True) -> None:
+        """Draws a figure for the report, and for the manual."""
+        path = self.report.folder / name
+        draw(path, diagrams)
         self.report.image(name, caption)
+        if is_in_manual:
+            self.figures.append(path)
 
 
 def comparison(session: Session) -> None:
     session.report.begin_section(
-        "Against the paper's algorithm",
-        "Seconds from the mesh in memory to the certified map, as the program reports them: medians of runs of the"
-        " default and of paper mode, in turns.",
+        "Against the published algorithm",
+        "Seconds from the mesh in memory to the certified map, as the program reports them: medians of alternating runs"
+        " of the default and of the published algorithm (`--paper`).",
     )
     limit = ("--iterations", str(SHORT_SWEEPS_OF_PAPER)) if session.is_short else ()
     repetitions = min(session.repetitions, MAX_REPETITIONS_OF_LONG)
@@ -138,22 +163,26 @@ def comparison(session: Session) -> None:
     pairs = [(default.mesh, *map(session.timings.medians, (default, paper))) for default, paper in jobs]
     pairs = [(file, default, paper) for file, default, paper in pairs if default and paper]
     if not pairs:
-        session.tell("comparison", "None of the meshes of paper mode could be compared; `--paper-meshes` names others.")
+        session.add("comparison", "No mesh could be compared; `--paper-meshes` names others.")
         return
     ratios = [paper[TOTAL] / default[TOTAL] for _, default, paper in pairs]
-    text = f"The default is {span(ratios)} times as fast as the paper's algorithm, {factor(geometric_mean(ratios))}"
-    text += " times in the geometric mean"
-    for name, key in (("maximum", "D_iso max"), ("average", "D_iso avg")):
-        worse = [
+    worse = {
+        key: [
             f"{file.name} ({number(default[key])} against {number(paper[key])})"
             for file, default, paper in pairs
             if default[key] > (1.0 + EQUAL) * paper[key]
         ]
-        text += f"{'; its' if name == 'maximum' else ', its'} {name} is "
-        text += f"larger on {listed(worse)}" if worse else "nowhere larger"
-    session.tell("comparison", text + ".")
-    columns = MESH | {"paper": "Paper, s", "default": "Package, s", "ratio": "Ratio"}
-    columns |= {"paper_d": "Paper, D_iso max / avg", "default_d": "Package, D_iso max / avg"}
+        for key in ("D_iso max", "D_iso avg")
+    }
+    where = {key: listed(files) if files else "no mesh" for key, files in worse.items()}
+    session.add(
+        "comparison",
+        f"The default is {span(ratios)} times as fast as the published algorithm, {factor(geometric_mean(ratios))} times"
+        f" in the geometric mean. Its maximum D_iso is larger on {where['D_iso max']}, its average on"
+        f" {where['D_iso avg']}.",
+    )
+    columns = MESH | {"paper": "Published, s", "default": "Default, s", "ratio": "Ratio"}
+    columns |= {"paper_d": "Published, D_iso max / avg", "default_d": "Default, D_iso max / avg"}
     rows = [
         _head(file)
         | {"paper": seconds(paper[TOTAL]), "default": f"{default[TOTAL]:.3f}", "ratio": factor(ratio)}
@@ -161,20 +190,22 @@ def comparison(session: Session) -> None:
         | {"sweeps": f"{paper['sweeps']:.0f}", "stop": paper["stop"]}
         for (file, default, paper), ratio in zip(pairs, ratios)
     ]
-    session.tell("comparison", table(columns | {"sweeps": "Paper, sweeps", "stop": "Paper ended"}, rows))
+    columns |= {"sweeps": "Published, sweeps", "stop": "Published, end"}
+    session.add_table("comparison", columns, rows)
     pairs.sort(key=lambda pair: pair[0].number_of_vertices)
     x = [file.number_of_vertices for file, *_ in pairs]
-    curves = [Curve("the paper's algorithm", x, [paper[TOTAL] for *_, paper in pairs])]
+    curves = [Curve("published algorithm", x, [paper[TOTAL] for *_, paper in pairs])]
     curves.append(Curve("default", x, [default[TOTAL] for _, default, _ in pairs]))
     diagram = Diagram("Mesh to certified map", "vertices", "seconds", curves, "xy")
-    session.draw("performance_comparison.png", [diagram], "Seconds of the paper's algorithm and of the default.")
+    caption = "Seconds of the published algorithm and of the default."
+    session.draw("performance_comparison.png", [diagram], caption, is_in_manual=False)
 
 
 def absolute(session: Session) -> None:
     session.report.begin_section(
         "Seconds",
-        f"Medians of {session.repetitions} runs, each in a process of its own, with {session.threads} threads. The"
-        " total is from the mesh in memory to the certified map, without parsing the file.",
+        f"Medians of {session.repetitions} runs, each in a separate process, with {session.threads} threads. The total"
+        " is from the mesh in memory to the certified map, without parsing the file.",
     )
     results = session.results(session.threads)
     columns = MESH | STAGE_COLUMNS | {TOTAL: "Total, s", "parsing": "Parsing", "sweeps": "Sweeps"}
@@ -185,7 +216,7 @@ def absolute(session: Session) -> None:
         | {"sweeps": f"{values['sweeps']:.0f}", "d": _distortion(values)}
         for file, values in results
     ]
-    session.tell("absolute", table(columns, rows))
+    session.add_table("absolute", columns, rows, "mesh", MESHES_OF_MANUAL)
 
 
 def growth(session: Session) -> None:
@@ -194,11 +225,11 @@ def growth(session: Session) -> None:
     series_of = {threads: session.results(threads, session.series) for threads in session.thread_counts}
     series = series_of[session.threads]
     if len(results) < 2 or len(series) < 2:
-        session.tell("growth", "There are too few meshes.")
+        session.add("growth", "There are too few meshes.")
         return
-    session.tell("growth", _verdict_of_growth(results, series_of))
+    session.add("growth", _verdict_of_growth(results, series_of))
     columns = MESH | {"threads": "Threads"} | STAGE_COLUMNS
-    columns |= {TOTAL: "Total, µs a vertex", "sweeps": "Sweeps", "seconds": "Total, s"}
+    columns |= {TOTAL: "Total, µs per vertex", "sweeps": "Sweeps", "seconds": "Total, s"}
     rows = [
         _head(file)
         | {"threads": threads, "sweeps": f"{values['sweeps']:.0f}", "seconds": number(values[TOTAL], 2)}
@@ -206,7 +237,7 @@ def growth(session: Session) -> None:
         for threads, of_threads in series_of.items()
         for file, values in of_threads
     ]
-    session.tell("growth", table(columns, rows))
+    session.add_table("growth", columns, rows, "threads", (session.threads,))
 
     def per_vertex(of: list[Result], stage: str, name: str, is_connected: bool = True) -> Curve:
         x = [file.number_of_vertices for file, _ in of]
@@ -216,13 +247,13 @@ def growth(session: Session) -> None:
     for threads in session.thread_counts:
         all_curves.append(per_vertex(session.results(threads), TOTAL, _words(threads), is_connected=False))
         all_curves.append(per_vertex(series_of[threads], TOTAL, f"{_words(threads)}, one shape"))
-    labels = ("vertices", "microseconds a vertex")
+    labels = ("vertices", "microseconds per vertex")
     curves = [per_vertex(series, stage, stage) for stage in STAGES]
     diagrams = [
         Diagram("All meshes, mesh to map", *labels, all_curves, "x", starts_at_zero=True),
         Diagram("One shape, stage by stage", *labels, curves, "x", starts_at_zero=True),
     ]
-    session.draw("performance_growth.png", diagrams, "Microseconds a vertex against the number of vertices.")
+    session.draw("performance_growth.png", diagrams, "Microseconds per vertex against the number of vertices.")
 
 
 def _verdict_of_growth(results: list[Result], series_of: dict[int, list[Result]]) -> str:
@@ -235,15 +266,15 @@ def _verdict_of_growth(results: list[Result], series_of: dict[int, list[Result]]
     totals = [_microseconds(result) for result in series_of[threads]]
     (first, _), *_, (last, values) = series_of[threads]
     text = (
-        f"With {_words(threads)}, all meshes from {results[0][0].number_of_vertices:,} to"
+        f"With {_words(threads)}, the meshes from {results[0][0].number_of_vertices:,} to"
         f" {results[-1][0].number_of_vertices:,} vertices take {number(_microseconds(low), 1)} ({low[0].name}) to"
-        f" {number(_microseconds(high), 1)} ({high[0].name}) microseconds a vertex, a factor of"
+        f" {number(_microseconds(high), 1)} ({high[0].name}) microseconds per vertex, a factor of"
         f" {factor(spread(results))}. One shape, subdivided from {first.number_of_vertices:,} to"
-        f" {last.number_of_vertices:,} vertices, takes {number(min(totals), 1)} to {number(max(totals), 1)}, and"
-        f" {number(values[TOTAL], 1)} seconds in the end"
+        f" {last.number_of_vertices:,} vertices, takes {number(min(totals), 1)} to {number(max(totals), 1)} microseconds"
+        f" per vertex, and {number(values[TOTAL], 1)} seconds at the largest size"
     )
     if threads > 1:
-        text += f"; the factor is {factor(spread(series_of[threads]))}, with 1 thread {factor(spread(series_of[1]))}"
+        text += f"; the factor is {factor(spread(series_of[threads]))}, and {factor(spread(series_of[1]))} with 1 thread"
     families: dict[str, list[Result]] = {}
     for result in results:
         families.setdefault(result[0].name.rsplit("_", 1)[0], []).append(result)
@@ -251,12 +282,12 @@ def _verdict_of_growth(results: list[Result], series_of: dict[int, list[Result]]
     for shape, members in families.items():
         sizes = [file.number_of_vertices for file, _ in members]
         if max(sizes) >= 10 * min(sizes):
-            words.append(f"{shape}, {min(sizes):,} to {max(sizes):,} vertices, by {factor(spread(members))}")
-    return text + (f". Within one shape, they differ at most: {'; '.join(words)}." if words else ".")
+            words.append(f"{factor(spread(members))} ({shape}, {min(sizes):,} to {max(sizes):,} vertices)")
+    return text + (f". Within one shape, the largest factor is {listed(words)}." if words else ".")
 
 
 def limits(session: Session) -> None:
-    session.report.begin_section("The floor of a sweep")
+    session.report.begin_section("Lower bounds for a sweep")
     files = [file for file in map(session.one, MESHES_OF_LIMITS) if file is not None and not session.is_short]
     files = list({file.path: file for file in files + session.series}.values())
     by_threads: dict[int, list[Result]] = {threads: [] for threads in session.thread_counts}
@@ -269,28 +300,28 @@ def limits(session: Session) -> None:
         for threads, of_threads in by_threads.items():
             of_threads.append((file, _floor(results, threads)))
     if not by_threads[1]:
-        session.tell("limits", "None of the meshes could be measured.")
+        session.add("limits", "None of the meshes could be measured.")
         return
     file, values = by_threads[1][-1]
-    session.tell(
+    session.add(
         "limits",
-        f"Per vertex of {file.name}, a sweep has to read or write {values['bytes']:.0f} bytes and to do"
+        f"Per vertex of {file.name}, a sweep reads or writes at least {values['bytes']:.0f} bytes and performs"
         f" {values['sums_and_products']:.0f} additions and multiplications, {values['divisions']:.1f} divisions,"
         f" {values['square_roots']:.1f} square roots and {values['exponentials']:.1f} exponentials, for"
-        f" {values['derivatives']:.2f} evaluations of the star with its derivatives and {values['values']:.2f} without."
-        f" One thread of this machine does {listed([factor(1e-9 * values[rate]) for rate in RATES])} billion of these"
-        f" operations a second, and reads or writes {1e-9 * values['machine_bytes']:.1f} GB a second in arrays of that"
-        " size.",
+        f" {values['derivatives']:.2f} evaluations of the star with derivatives and {values['values']:.2f} without. One"
+        f" thread of this machine performs {listed([factor(1e-9 * values[rate]) for rate in RATES])} billion of these"
+        f" operations per second, and reads or writes {1e-9 * values['machine_bytes']:.1f} GB per second in arrays of"
+        " that size.",
     )
     texts, rows, diagrams = [], [], []
     for threads, results in by_threads.items():
         (first, small), *_, (last, large) = (results[0], *results)
         texts.append(
             f"With {_words(threads)}, a sweep takes"
-            f" {span([values['sweep'] / values['for_operations'] for _, values in results])} times the time for its"
-            f" operations and {span([values['sweep'] / values['for_bytes'] for _, values in results])} times that for"
-            f" its bytes; it takes {small['sweep']:.0f} nanoseconds a vertex on {first.name} and {large['sweep']:.0f}"
-            f" on {last.name}, while the bytes alone would take {small['for_bytes']:.1f} and {large['for_bytes']:.1f}."
+            f" {span([values['sweep'] / values['for_operations'] for _, values in results])} times the time of its"
+            f" operations and {span([values['sweep'] / values['for_bytes'] for _, values in results])} times that of its"
+            f" bytes: {small['sweep']:.0f} nanoseconds per vertex on {first.name} and {large['sweep']:.0f} on {last.name},"
+            f" where the bytes alone would take {small['for_bytes']:.1f} and {large['for_bytes']:.1f}."
         )
         rows += [
             _head(file)
@@ -303,18 +334,18 @@ def limits(session: Session) -> None:
         names = {"sweep": "sweep", "for_operations": "operations alone", "for_bytes": "bytes alone"}
         x = [file.number_of_vertices for file, _ in results]
         curves = [Curve(name, x, [values[key] for _, values in results]) for key, name in names.items()]
-        diagrams.append(Diagram(_words(threads), "vertices", "nanoseconds a vertex", curves, "xy"))
-    session.tell("limits", " ".join(texts))
-    columns = MESH | {"threads": "Threads", "sweep": "Sweep, ns a vertex", "for_bytes": "Bytes, ns"}
+        diagrams.append(Diagram(_words(threads), "vertices", "nanoseconds per vertex", curves, "xy"))
+    session.add("limits", " ".join(texts))
+    columns = MESH | {"threads": "Threads", "sweep": "Sweep, ns per vertex", "for_bytes": "Bytes, ns"}
     columns |= {"for_operations": "Operations, ns", "to_bytes": "Sweep / bytes", "to_operations": "Sweep / operations"}
-    session.tell("limits", table(columns | {"rate": "GB/s"}, rows))
-    caption = "A sweep, and the least time for its operations and for its bytes."
-    session.draw("performance_limits.png", diagrams, caption)
+    session.report.paragraph(table(columns | {"rate": "GB/s"}, rows))
+    caption = "A sweep, and the minimum time of its operations and of its bytes."
+    session.draw("performance_limits.png", diagrams, caption, is_in_manual=False)
 
 
 def _floor(results: dict[str, list[dict]], threads: int) -> dict:
-    """The median of the sweep, its work by vertex, and what the machine does at best: a floor is what nothing has
-    disturbed. The divider, which takes the roots too, and the other units work side by side.
+    """The median of the sweep, its work per vertex, and the best rates of the machine, which no other process has
+    disturbed. The divider, which also computes square roots, and the other units work in parallel.
     """
     sweep = "sweep" if threads == 1 else f"sweep_{threads}_threads/process_time/real_time"
     ending = "" if threads == 1 else f"/real_time/threads:{threads}"
@@ -332,14 +363,14 @@ def _floor(results: dict[str, list[dict]], threads: int) -> dict:
 def threads(session: Session) -> None:
     session.report.begin_section("Threads")
     if len(session.thread_counts) < 2:
-        session.tell("threads", "There is one thread only.")
+        session.add("threads", "There is only one thread.")
         return
     n = session.threads
     alone, together = dict(session.results(1)), dict(session.results(n))
     both = [file for file in alone if file in together]
     files = [file for file in both if file.number_of_vertices >= session.min_vertices_of_threads]
     if not files:
-        session.tell("threads", "There is no mesh of a suitable size.")
+        session.add("threads", "There is no mesh of a suitable size.")
         return
 
     def gain(file: MeshFile, stage: str = TOTAL) -> float:
@@ -353,24 +384,24 @@ def threads(session: Session) -> None:
     }
     totals = [gain(file) for file in files]
     text = (
-        f"With {n} threads, meshes of {session.min_vertices_of_threads:,} vertices and more are mapped {span(totals)}"
-        f" times as fast as with one, {factor(geometric_mean(totals))} times in the geometric mean: medians of the"
-        " ratios of runs of the same round. "
+        f"With {n} threads, meshes of at least {session.min_vertices_of_threads:,} vertices are mapped {span(totals)} times"
+        f" as fast as with one, {factor(geometric_mean(totals))} times in the geometric mean (medians of the ratios of"
+        " runs in the same round). "
     )
     if ceilings:
         shares = [gain(file) / ceiling for file, ceiling in ceilings.items()]
         at_best = list(ceilings.values())
         text += (
-            f"Below {LARGE:,} vertices, {n} processes with one thread each that map the same mesh at the same time get"
-            f" {span(at_best)} times as much done as one, {factor(geometric_mean(at_best))} times in the geometric mean"
-            " (column `At once`). They share the caches and the memory but never wait for each other; the threads of"
-            f" one map get {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
+            f"Below {LARGE:,} vertices, {n} processes with one thread each that map the same mesh at the same time have"
+            f" {span(at_best)} times the throughput of one, {factor(geometric_mean(at_best))} times in the geometric mean"
+            " (column `Processes`). They share the caches and the memory, but never wait for each other; the threads of"
+            f" one map reach {100.0 * geometric_mean(shares):.0f} % of that on the same meshes. "
         )
     different = [file.name for file in both if alone[file]["fingerprint"] != together[file]["fingerprint"]]
     text += f"The maps of {listed(different)} differ." if different else f"All {len(both)} maps have the same bits."
-    session.tell("threads", text)
-    columns = MESH | STAGE_COLUMNS | {TOTAL: "Mesh to map", "at_once": "At once"}
-    columns |= {"alone": "1 thread, s", "all": f"{n}, s"}
+    session.add("threads", text)
+    columns = MESH | STAGE_COLUMNS | {TOTAL: "Mesh to map", "at_once": "Processes"}
+    columns |= {"alone": "1 thread, s", "all": f"{n} threads, s"}
     rows = [
         _head(file)
         | {stage: factor(gain(file, stage)) for stage in (*STAGES, TOTAL)}
@@ -378,14 +409,14 @@ def threads(session: Session) -> None:
         | {"alone": number(alone[file][TOTAL]), "all": number(together[file][TOTAL])}
         for file in files
     ]
-    session.tell("threads", table(columns, rows))
+    session.add_table("threads", columns, rows, "mesh", MESHES_OF_MANUAL)
     x = [file.number_of_vertices for file in files]
     stages = ("hierarchy", "embedding", "optimization", TOTAL)
     curves = [Curve(stage, x, [gain(file, stage) for file in files], is_connected=False) for stage in stages]
     x = [file.number_of_vertices for file in ceilings]
     curves.append(Curve(f"{n} processes at once", x, list(ceilings.values()), is_connected=False))
-    diagram = Diagram("Threads", "vertices", "times as much done as by one thread", curves, "x", starts_at_zero=True)
-    session.draw("performance_threads.png", [diagram], f"How many times as much {n} threads do as one.")
+    diagram = Diagram("Threads", "vertices", "speedup over one thread", curves, "x", starts_at_zero=True)
+    session.draw("performance_threads.png", [diagram], f"Speedup of {n} threads over one.")
 
 
 def memory(session: Session) -> None:
@@ -406,18 +437,18 @@ def memory(session: Session) -> None:
         rows.append(row)
     peaks = [(peak, name) for peak, name in peaks if peak == peak]
     if not peaks:
-        session.tell("memory", "This system does not tell.")
+        session.add("memory", "This system does not report it.")
         return
     (low, _), (high, name) = min(peaks), max(peaks)
     largest = f"{rows[-1]['mesh']}, {rows[-1].get(session.threads, '–')}"
-    text = f"At its peak, the default needs {low:.0f} to {high:.0f} bytes a vertex ({name}) beside the caller's mesh"
-    session.tell("memory", f"{text}; on the largest mesh, {largest}.")
-    columns = {n: f"Bytes a vertex, {_words(n)}" for n in reversed(session.thread_counts)}
-    session.tell("memory", table(MESH | columns | {"megabytes": "MB in all"}, rows))
+    text = f"At its peak, the default needs {low:.0f} to {high:.0f} ({name}) bytes per vertex in addition to the caller's mesh"
+    session.add("memory", f"{text}; on the largest mesh, {largest}.")
+    columns = {n: f"Bytes per vertex, {_words(n)}" for n in reversed(session.thread_counts)}
+    session.add_table("memory", MESH | columns | {"megabytes": "Total, MB"}, rows, "mesh", FEW_MESHES_OF_MANUAL)
 
 
 def cohort(session: Session) -> None:
-    """A folder of meshes by one command, which has a mesh on each core, and by a command for each, on all cores."""
+    """A folder of meshes by one command, with one mesh on each core, and by one command per mesh, on all cores."""
     session.report.begin_section("A Folder of Meshes")
     meshes = [file for file in session.corpus if file.number_of_vertices < LARGE]
     program = session.timings.program(session.threads)
@@ -442,11 +473,11 @@ def cohort(session: Session) -> None:
     together = statistics.median(times[0] for times in rounds)
     ratio = statistics.median(times[1] / times[0] for times in rounds)
     vertices = [mesh.number_of_vertices for mesh in meshes]
-    session.tell(
+    session.add(
         "cohort",
         f"With {session.threads} threads, {len(meshes)} meshes of {min(vertices):,} to {max(vertices):,} vertices,"
-        f" {sum(vertices):,} in all, take {number(together, 2)} seconds from file to file by one command, and"
-        f" {number(ratio, 2)} times as long by a command for each, one after the other.",
+        f" {sum(vertices):,} in total, take {number(together, 2)} seconds from file to file with one command, and"
+        f" {number(ratio, 2)} times as long with one command per mesh, one after the other.",
     )
 
 
@@ -455,8 +486,8 @@ class Point:
     """A number of sweeps, in geometric means over the meshes."""
 
     name: str
-    sweeps: float  # that were made
-    time: float  # in units of the default's
+    sweeps: float  # actual number
+    time: float  # in units of the time of the default
     maximum: float  # in units of the lowest of the same mesh
     average: float
 
@@ -466,7 +497,7 @@ class Point:
 
 
 def trade(session: Session) -> None:
-    """What more or less time buys: D_iso against the number of sweeps."""
+    """D_iso against the number of sweeps and the time."""
     files = [file for file in session.corpus if file.number_of_vertices <= MAX_VERTICES_OF_TRADE]
     limits_of_sweeps = [*(SHORT_SWEEPS if session.is_short else SWEEPS), None]
 
@@ -479,13 +510,12 @@ def trade(session: Session) -> None:
     by_mesh = [of_mesh for of_mesh in by_mesh if all(of_mesh.values())]
     session.report.begin_section(
         "Time against distortion",
-        f"Each of {len(by_mesh)} meshes is mapped with at most so many sweeps over the finest mesh; the hierarchy and"
-        " the sweeps over its levels are the same for all. Times are in units of the default's, distortions in units of"
-        " the lowest that any setting reached on the same mesh; their means are geometric, those of the sweeps"
-        " arithmetic.",
+        f"Each of {len(by_mesh)} meshes is mapped with a maximum number of sweeps over the mesh; the hierarchy and the"
+        " sweeps over its levels are the same for all. Times are relative to the default, distortions to the lowest that"
+        " any setting reached on the same mesh; their means are geometric, those of the sweeps arithmetic.",
     )
     if not by_mesh:
-        session.tell("trade", "There is no mesh of a suitable size.")
+        session.add("trade", "There is no mesh of a suitable size.")
         return
     points = []
     for sweeps in limits_of_sweeps:
@@ -497,14 +527,15 @@ def trade(session: Session) -> None:
         time = geometric_mean([of[sweeps][TOTAL] / of[None][TOTAL] for of in by_mesh])
         points.append(Point("default" if sweeps is None else str(sweeps), made, time, *means))
     points.sort(key=lambda point: point.sweeps)
-    columns = {"name": "Sweeps at most", "sweeps": "Sweeps made", "time": "Time"}
+    columns = {"name": "Maximum number of sweeps", "sweeps": "Sweeps", "time": "Time"}
     distortions = {"maximum": "D_iso max", "average": "D_iso avg"}
-    session.tell("trade", table(columns | distortions, [point.shown() for point in points]))
+    rows = [point.shown() for point in points]
+    session.add_table("trade", columns | distortions, rows, "name", SWEEPS_OF_MANUAL)
     default = next(point for point in points if point.name == "default")
     text = (
-        f"On the {len(by_mesh)} meshes of up to {MAX_VERTICES_OF_TRADE:,} vertices, the limits lead from"
-        f" {points[0].time:.2f} to {points[-1].time:.2f} times the default's time, and to {points[-1].sweeps:.0f}"
-        " sweeps on average until they have converged or are ended."
+        f"On the {len(by_mesh)} meshes of up to {MAX_VERTICES_OF_TRADE:,} vertices, the runs take {points[0].time:.2f} to"
+        f" {points[-1].time:.2f} times the time of the default, and {points[-1].sweeps:.0f} sweeps on average until"
+        " convergence or the highest limit."
     )
     rows, texts = [], []
     for time in TIMES:
@@ -515,10 +546,10 @@ def trade(session: Session) -> None:
         rows.append(point.shown() | {"name": f"{time:g}"})
         if time != 1.0 and abs(point.time / time - 1.0) <= NOISE:
             changes = [_change(getattr(point, key) / getattr(default, key)) for key in distortions]
-            texts.append(f"with {time:g} times its time, the maximum is {changes[0]} and the average {changes[1]}")
-    session.tell("trade", text + (f" Against the default: {'; '.join(texts)}." if texts else ""))
-    columns = {"name": "Time allowed", "sweeps": "Sweeps made", "time": "Time taken"}
-    session.tell("trade", table(columns | distortions, rows))
+            texts.append(f"with {time:g} times the time, the maximum is {changes[0]} and the average {changes[1]}")
+    session.add("trade", text + (f" Compared with the default: {'; '.join(texts)}." if texts else ""))
+    columns = {"name": "Allowed time", "sweeps": "Sweeps", "time": "Time"}
+    session.report.paragraph(table(columns | distortions, rows))
     shown = [point for point in points if point.sweeps > 0]  # the first map is far off
     diagrams = []
     for key, title in distortions.items():
@@ -530,10 +561,10 @@ def trade(session: Session) -> None:
 
 
 def _at(points: list[Point], time: float) -> Point | None:
-    """What that much time buys: between the settings, by the logarithm of the time; beyond, the last one, which takes
-    less. None if it is too little for any.
+    """The result after that time: interpolated by the logarithm of the time; beyond the last setting, that one, which
+    takes less. None if it is too short for any.
     """
-    times = np.maximum.accumulate([point.time for point in points])  # more sweeps take no less but for noise
+    times = np.maximum.accumulate([point.time for point in points])  # more sweeps take less time by noise only
     if time < (1.0 - NOISE) * times[0]:
         return None
     time = float(np.clip(time, times[0], times[-1]))

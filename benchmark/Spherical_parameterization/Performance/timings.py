@@ -93,9 +93,9 @@ class Timings:
 
 
 def _figures(run: Run) -> dict:
-    told, distortion = run.report["seconds"], run.report["distortion"]["D_iso"]
-    figures = {name: told[stage] for name, stage in STAGES.items()}
-    figures |= {TOTAL: run.mapping_seconds, "parsing": told["input"]}
+    reported, distortion = run.report["seconds"], run.report["distortion"]["D_iso"]
+    figures = {name: reported[stage] for name, stage in STAGES.items()}
+    figures |= {TOTAL: run.mapping_seconds, "parsing": reported["input"]}
     figures |= {"D_iso max": distortion["maximum"], "D_iso avg": distortion["average"], "sweeps": float(run.sweeps)}
     return figures | {"fingerprint": checksum(run.sphere), "stop": run.stop_reason}
 

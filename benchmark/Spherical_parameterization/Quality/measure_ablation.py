@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures what each heuristic of the descent and of the hierarchy is worth, and prints a table.
+"""Measures the effect of each heuristic of the descent and of the hierarchy, and prints the table of the manual's page Experiments.
 
-Each row leaves one of them out, or puts something simpler in its place, by changes to a copy of the headers, and maps all meshes of
-2,800 vertices and more by the default method, in one thread. The table has time and isometric distortion over what they are with
-all heuristics, as geometric means; and how many meshes are worse by half a percent in both the maximum and the average. Takes half
-an hour on 31 meshes; leave the machine alone meanwhile.
+For each row, the script removes one of them from a copy of the headers, or replaces it by something simpler, and maps all meshes of at
+least 2,800 vertices by the default method, in one thread. The table contains time and isometric distortion relative to the version
+with all heuristics, as geometric means; and the number of meshes that are worse by half a percent in both maximum and average. Takes
+half an hour on 31 meshes; leave the machine idle meanwhile.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ INTERNAL = Path("include/CGAL/Spherical_parameterization/internal")
 
 @dataclass(frozen=True)
 class Change:
-    """What takes the place of a text of a header."""
+    """A replacement of text in a header."""
 
     file: str
     old: str
@@ -44,53 +44,53 @@ STEP, REMOVAL, KERNEL = "descent/Vertex_step.h", "hierarchy/Vertex_removal.h", "
 HEURISTICS = {
     "smooth steps": {
         "none": [Change(SMOOTH, "return sweep >= m_next;", "return sweep > 1000000000;")],
-        "one before every other sweep": [Change(SMOOTH, "max_interval = 16;", "max_interval = 2;")],
+        "one before every second sweep": [Change(SMOOTH, "max_interval = 16;", "max_interval = 2;")],
     },
-    "sweeps around the worst faces": {
+    "focus sweeps": {
         "none": [Change(LOOP, "m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),\n"
                         "                                   m_state.summary.maximum_energy());",
                         "m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());")],
         "two": [Change(FOCUS, "max_focus_sweeps = 500;", "max_focus_sweeps = 2;")],
-        "up to 0.4 of a sweep": [Change(FOCUS, "focus_share = 0.8;", "focus_share = 0.4;")],
+        "up to 0.4 of a sweep": [Change(FOCUS, "focus_fraction = 0.8;", "focus_fraction = 0.4;")],
     },
-    "steps of 1.7 times their length": {
+    "over-relaxation 1.7": {
         "1": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.;")],
         "1.5": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.5;")],
         "1.9": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.9;")],
     },
-    "shorter steps on levels": {
+    "over-relaxation 1.5 on levels": {
         "1.7": [Change(LEVELS, "over_relaxation = 1.5;", "over_relaxation = 1.7;")],
     },
-    "steps of the radius, where there is no smooth step": {
-        "everywhere": [Change(LOOP, "else if(!makes_smooth_step(i))", "else")],
+    "radius steps only without a smooth step": {
+        "always": [Change(LOOP, "else if(!makes_smooth_step(i))", "else")],
     },
-    "small levels until they have settled": {
+    "small levels until convergence": {
         "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
     },
-    "5 sweeps over the other levels": {
+    "5 sweeps on the other levels": {
         "3": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 3;")],
         "10": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 10;")],
     },
-    "levels of three quarters of the vertices": {
-        "of two thirds": [Change("hierarchy/Mesh_hierarchy.h", "max_share = 0.25;", "max_share = 1. / 3.;")],
+    "a quarter of the vertices removed per level": {
+        "a third": [Change("hierarchy/Mesh_hierarchy.h", "max_fraction = 0.25;", "max_fraction = 1. / 3.;")],
     },
-    "areas handed on by removed vertices": {
+    "areas passed on by removed vertices": {
         "none": [Change("descent/Level_descent.h", "if(!m_limits.is_uniform)", "if(false)")],
     },
-    "quality of new faces in the cost of a removal": {
+    "triangle quality in the removal cost": {
         "none": [Change(REMOVAL, "min_squared_quality = 1e-12;", "min_squared_quality = 1.;")],
     },
-    "degree of the target in the cost of a removal": {
+    "target degree in the removal cost": {
         "none": [Change(REMOVAL, "good_degree = 9;", "good_degree = 1000000000;")],
     },
-    "roundest of several points of a kernel": {
-        "the centroid, if it can be held": [Change(KERNEL, "    consider({middle[0]", "    if(!(min_roughness < largest))\n      consider({middle[0]")],
+    "best of several kernel points": {
+        "the centroid, if representable": [Change(KERNEL, "    consider({middle[0]", "    if(!(min_roughness < largest))\n      consider({middle[0]")],
     },
-    "images measured as if they lay on the sphere": {
-        "flat": [Change("descent/Objective.h", "has_radius ? 1. / 9. : 0.;", "0.;")],
+    "area correction on coarse meshes": {
+        "none": [Change("descent/Objective.h", "has_radius ? 1. / 9. : 0.;", "0.;")],
     },
     "radius and level in the smooth step": {
-        "kept": [Change(SMOOTH, "const bool moves_level = rr > 0., moves_radius = m_has_radius && tt > 0.;",
+        "fixed": [Change(SMOOTH, "const bool moves_level = rr > 0., moves_radius = m_has_radius && tt > 0.;",
                         "const bool moves_level = false, moves_radius = false;")],
     },
 }
@@ -104,7 +104,7 @@ def build(headers: Path, driver: Path, program: Path) -> None:
 
 
 def measure(program: Path, file: Path) -> tuple[float, float, float]:
-    """Seconds, and the maximum and the average of the distortion, of a mesh."""
+    """Seconds, maximum and average distortion of a mesh."""
     result = subprocess.run([program, file], capture_output=True, text=True, check=False)
     if result.returncode != 0:
         sys.exit(result.stderr)
@@ -113,7 +113,7 @@ def measure(program: Path, file: Path) -> tuple[float, float, float]:
 
 
 def measure_pair(program: Path, reference: Path, file: Path) -> list[float]:
-    """Ratios of the shortest time of two, and of the maximum and the average of the distortion; the programs take turns."""
+    """Ratios of the shorter of two times, of the maximum and of the average distortion; the programs alternate."""
     pairs = [(measure(program, file), measure(reference, file)) for _ in range(2)]
     return [min(new[k] for new, _ in pairs) / min(old[k] for _, old in pairs) for k in range(3)]
 
@@ -136,7 +136,7 @@ def main() -> None:
                     path = Path(folder) / INTERNAL / change.file
                     text = path.read_text(encoding="utf-8")
                     if text.count(change.old) != 1:
-                        sys.exit(f"{change.file} does not have this once: {change.old}")
+                        sys.exit(f"{change.file} does not contain this exactly once: {change.old}")
                     path.write_text(text.replace(change.old, change.new), encoding="utf-8")
                 build(headers, source, program)
                 ratios = [measure_pair(program, reference, file) for file in files]
@@ -145,8 +145,8 @@ def main() -> None:
                 rows.append({"heuristic": heuristic, "instead": alternative, "time": f"{means[0]:.2f}",
                              "maximum": f"{means[1]:.4f}", "average": f"{means[2]:.4f}", "worse": n_worse})
                 print(*rows[-1].values(), sep=", ", flush=True)
-    columns = {"heuristic": "heuristic", "instead": "instead", "time": "time", "maximum": "maximum of D_iso",
-               "average": "average of D_iso", "worse": "meshes worse in both"}
+    columns = {"heuristic": "heuristic", "instead": "replaced by", "time": "time", "maximum": "maximum D_iso",
+               "average": "average D_iso", "worse": "meshes worse in both"}
     print(table(columns, rows))
 
 

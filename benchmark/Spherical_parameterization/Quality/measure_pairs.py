@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Maps pairs of surfaces onto each other, in both directions, and prints the table of the user manual.
+"""Maps pairs of surfaces onto each other, in both directions, and prints the table of correspondences of the user manual.
 
-FOLDER has pairs.txt, with two names and a kind in each line, and perhaps pairs_wide.txt, with pairs drawn at random, which are
-mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. Of the kind `corres`, the
-files NAME.vts of both have the vertices that correspond, line by line, counted from 1, and NAME.sym.vts their mirror images. Of the kind
-`landmarks`, NAME.vts, or for NAME/input0 and NAME/input1 the files NAME/landmarks0.txt and so on, have landmarks, counted from 0; those of .vts files are
-hidden once more, and tell how good a map without them is. Takes ten minutes; needs numpy and scipy.
+FOLDER contains pairs.txt, with two names and a kind in each line, and optionally pairs_wide.txt, with randomly drawn pairs, which are
+mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. For the kind `corres`, the files NAME.vts of both meshes list
+corresponding vertices, line by line, counted from 1, and NAME.sym.vts their mirror images. For the kind `landmarks`, NAME.vts, or
+NAME/landmarks0.txt and so on for NAME/input0 and NAME/input1, list landmarks, counted from 0. Pairs with landmarks in .vts files are
+mapped once more without them, and the landmarks then measure the error. Takes ten minutes; needs numpy and scipy.
 
-The column on expected errors has their mean, and their rank correlation with the errors over the vertices of a map, in the mean over maps.
+The expected error of a map is correlated with its errors over the vertices; the table has the means over the maps. With --manual FILE,
+the table is also written to a page of the manual.
 
-With --bounds FILE, the pairs of that file are mapped, those of which there are files, and compared with the bounds there. It needs no
-scipy, as the error is then that of straight distances. Fails if one is above its bound.
+With --bounds FILE, the pairs of that file whose meshes are available are mapped and compared with its bounds. This needs no scipy,
+because the error is then measured by straight distances. Fails if a bound is exceeded.
 """
 
 from __future__ import annotations
@@ -31,10 +32,34 @@ import numpy as np
 from measuring.commands import run_command
 from measuring.drivers import Driver
 from measuring.meshes import Mesh, read_mesh
+from measuring.reports import fill_in, table
+
+ROWS = {
+    "faust": "people, scanned (FAUST)",
+    "faust, random": "the same, random pairs",
+    "tosca": "animals and persons, two poses of one body (TOSCA)",
+    "tosca, random": "the same, random pairs",
+    "tosca_between": "a gorilla and a person (TOSCA)",
+    "shrec": "four-legged animals, 21 landmarks (SHREC)",
+    "shrec, landmarks hidden": "the same, landmarks hidden: error at them",
+    "cat_horse": "cat and horse, 17 landmarks",
+}
+COLUMNS = {
+    "name": "surfaces",
+    "maps": "maps",
+    "error": "mean error in % (largest map)",
+    "bad": "maps above 8 %",
+    "turned": "half-turns",
+    "uncertain": "uncertain: below 8 %, above 10 %",
+    "expected": "expected error in %, rank correlation",
+    "missed": "landmarks missed",
+    "energy": "energy",
+}
+MORE_COLUMNS = {"d_iso": "mean D_iso", "seconds": "seconds"}  # which the manual lacks
 
 
 class Bounds(NamedTuple):
-    """What a map may have at most, and the remesh that it goes to at least; infinite if there is no bound."""
+    """The largest error and energy of a map, and the lowest PSNR of the remesh that it maps to; infinite without a bound."""
 
     first: str
     second: str
@@ -45,7 +70,7 @@ class Bounds(NamedTuple):
 
 
 def read_bounds(path: Path) -> list[Bounds]:
-    """reads lines of two names, a kind and three numbers, in which '-' stands for no bound"""
+    """reads lines of two names, a kind and three numbers, where '-' means no bound"""
     bounds = []
     for line in path.read_text(encoding="utf-8").splitlines():
         if line and not line.startswith("#"):
@@ -64,7 +89,7 @@ def numbers_in(path: Path, first: int) -> np.ndarray:
 
 
 def distances(mesh: Mesh, sources: np.ndarray) -> np.ndarray:
-    """returns the lengths of shortest paths along edges, over the square root of the area, in percent"""
+    """returns the lengths of shortest paths along edges, divided by the square root of the area, in percent"""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import dijkstra
 
@@ -112,7 +137,7 @@ class Pairs:
         return facts
 
     def map_pair(self, first: str, second: str, kind: str) -> tuple[dict[str, Any], Mesh, np.ndarray]:
-        """maps one surface onto another one, and returns the report, the target, and where the vertices are on it"""
+        """maps one surface onto another one, and returns the report, the target, and the images of the vertices"""
         paths = [self.mesh(first), self.mesh(second)]
         result = self.work / "result.off"
         arguments: list[Any] = ["match", *paths, "-o", result]
@@ -131,14 +156,14 @@ class Pairs:
             from scipy.stats import spearmanr
 
             base = 1 if kind == "corres" else 0
-            places = numbers_in(self.folder / (first + ".vts"), base)
+            known = numbers_in(self.folder / (first + ".vts"), base)
             true = numbers_in(self.folder / (second + ".vts"), base)
             sources, inverse = np.unique(true, return_inverse=True)
-            found = cKDTree(target.vertices).query(images[places])[1]
+            found = cKDTree(target.vertices).query(images[known])[1]
             errors = distances(target, sources)[inverse, found]
             facts["error"] = float(errors.mean())
             expected = np.frombuffer((self.work / "lh.errors").read_bytes()[15:], dtype=">f4")  # a file of FreeSurfer
-            facts["correlation"] = float(spearmanr(expected[places], errors)[0])
+            facts["correlation"] = float(spearmanr(expected[known], errors)[0])
             mirror = self.folder / (second + ".sym.vts")
             if mirror.exists():
                 sources, inverse = np.unique(numbers_in(mirror, 1), return_inverse=True)
@@ -147,9 +172,9 @@ class Pairs:
         self.results.setdefault(row, []).append(facts)
 
     def figures(self, pair: Bounds) -> Bounds | None:
-        """returns what is bounded of a pair, or nothing if there are no files of it"""
+        """returns the bounded figures of a pair, or nothing if its files are missing"""
         error, psnr = -math.inf, math.inf
-        if pair.kind == "remesh":  # of a mesh of CGAL's; each vertex has to come to where it was
+        if pair.kind == "remesh":  # of a mesh of CGAL; each vertex should be mapped to itself
             if self.meshes is None:
                 return None
             path, remesh, result = self.meshes / f"{pair.first}.off", self.work / "remesh.off", self.work / "result.off"
@@ -178,35 +203,36 @@ class Pairs:
             shown = (f"{x:.4f}" if math.isfinite(x) else "-" for x in found[3:])
             print(*found[:3], *shown)
             if not (found.error <= pair.error and found.energy <= pair.energy and found.psnr >= pair.psnr):
-                failures.append(f"{pair.first} {pair.second} is beyond {pair.error:g}, {pair.energy:g} or {pair.psnr:g}")
-        sys.exit("\n".join(failures) or (0 if count else "There are no files of these pairs."))
+                failures.append(f"{pair.first} {pair.second} exceeds {pair.error:g}, {pair.energy:g} or {pair.psnr:g}")
+        sys.exit("\n".join(failures) or (0 if count else "The files of all pairs are missing."))
 
-    def print_table(self) -> None:
-        """prints a row for each folder of meshes"""
-        for name, runs in self.results.items():
+    def rows(self) -> list[dict[str, str]]:
+        """returns a row of the table for each kind of pairs"""
+        rows = []
+        for name in [*(row for row in ROWS if row in self.results), *(row for row in self.results if row not in ROWS)]:
+            runs = self.results[name]
             errors = [run["error"] for run in runs]
             match = [run["match"] for run in runs]
             n_landmarks = sum(len(m["landmark_distances"]) for m in match)
-            cells = [
-                name,
-                str(len(runs)),
-                f"{statistics.mean(errors):.2f} ({max(errors):.2f})" if any(errors) else "",
-                str(sum(error > 8.0 for error in errors)) if any(errors) else "",
-                str(sum(run["is_swapped"] for run in runs)) if any(errors) else "",
-                f"{sum(m['is_uncertain'] and e < 8 for m, e in zip(match, errors))} and "
-                f"{sum(m['is_uncertain'] and e > 10 for m, e in zip(match, errors))} of {sum(e > 10 for e in errors)}"
-                if any(errors)
-                else "",
-                f"{statistics.mean(100 * m['expected_error'] for m in match):.2f}, "
-                f"{statistics.mean(run['correlation'] for run in runs):.2f}"
-                if any(errors)
-                else "",
-                f"{sum(m['missed_landmarks'] for m in match)} of {n_landmarks}" if n_landmarks else "",
-                f"{statistics.mean(self.energy(run) for run in runs):.2f}",
-                f"{statistics.mean(m['D_iso']['average'] for m in match):.2f}",
-                f"{statistics.mean(run['seconds']['total'] - run['seconds']['output'] for run in runs):.1f}",
-            ]
-            print("| " + " | ".join(cells) + " |")
+            row = {"name": ROWS.get(name, name), "maps": str(len(runs))}
+            if any(errors):
+                flagged = [error for m, error in zip(match, errors) if m["is_uncertain"]]
+                n_wrong = sum(error > 10.0 for error in errors)
+                expected = statistics.mean(100 * m["expected_error"] for m in match)
+                correlation = statistics.mean(run["correlation"] for run in runs)
+                row |= {"error": f"{statistics.mean(errors):.2f} ({max(errors):.2f})"}
+                row |= {"bad": str(sum(error > 8.0 for error in errors))}
+                row |= {"turned": str(sum(run["is_swapped"] for run in runs))}
+                counts = [sum(error < 8.0 for error in flagged), sum(error > 10.0 for error in flagged)]
+                row |= {"uncertain": f"{counts[0]}, {counts[1]} of {n_wrong}"}
+                row |= {"expected": f"{expected:.2f}, {correlation:.2f}"}
+            if n_landmarks:
+                row |= {"missed": f"{sum(m['missed_landmarks'] for m in match)} of {n_landmarks}"}
+            row |= {"energy": f"{statistics.mean(self.energy(run) for run in runs):.2f}"}
+            row |= {"d_iso": f"{statistics.mean(m['D_iso']['average'] for m in match):.2f}"}
+            seconds = [run["seconds"]["total"] - run["seconds"]["output"] for run in runs]
+            rows.append(row | {"seconds": f"{statistics.mean(seconds):.1f}"})
+        return rows
 
 
 def main() -> None:
@@ -214,8 +240,9 @@ def main() -> None:
     driver = Driver(__doc__, folders=("pairs",))
     driver.add_program()
     driver.add_argument("--pairs", type=Path, metavar="FOLDER", help="the folder of pairs")
-    driver.add_argument("--cgal-meshes", type=Path, metavar="FOLDER", help="the folder of CGAL's meshes, for --bounds")
+    driver.add_argument("--cgal-meshes", type=Path, metavar="FOLDER", help="the folder of the meshes of CGAL, for --bounds")
     driver.add_argument("--bounds", type=Path, metavar="FILE", help="bounds that pairs are compared with")
+    driver.add_argument("--manual", type=Path, metavar="FILE", help="a page of the manual whose table is filled in")
     arguments = driver.parse()
     if not (arguments.pairs or arguments.bounds):
         driver.error("--pairs or --bounds is needed")
@@ -237,7 +264,11 @@ def main() -> None:
                     pairs.run(one, other, kind, row)
                     if kind == "landmarks" and (arguments.pairs / (one + ".vts")).exists():
                         pairs.run(one, other, "hidden", f"{row}, landmarks hidden")
-        pairs.print_table()
+        rows = pairs.rows()
+        print(table(COLUMNS | MORE_COLUMNS, rows))
+        if arguments.manual:
+            text = arguments.manual.read_text(encoding="utf-8")
+            arguments.manual.write_text(fill_in(text, "pairs", table(COLUMNS, rows) + "\n"), encoding="utf-8")
 
 
 if __name__ == "__main__":

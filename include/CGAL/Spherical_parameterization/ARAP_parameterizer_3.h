@@ -29,18 +29,20 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `ARAP_parameterizer_3` maps a surface to a sphere as rigidly as possible: it lowers the sum over the faces
-/// of \f$ ( \sigma_1 - 1 )^2 + ( \sigma_2 - 1 )^2 \f$, weighted with the areas. Each round fits a rotation to every
-/// face and the radius of the sphere to all of them, and then moves all vertices by the solution of a sparse system,
-/// whose matrix is factored once. The average distortion is low, but shrinking a face costs little, and turning it over
-/// not much more.
+/// The class `ARAP_parameterizer_3` maps a surface to a sphere as rigidly as possible. It minimizes the sum over the
+/// faces of \f$ ( \sigma_1 - 1 )^2 + ( \sigma_2 - 1 )^2 \f$, weighted by area.
 ///
-/// Nothing prevents faces from turning over, and at extremities they do. A map that folds is written nevertheless, and
-/// `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is only returned if the map has been certified to be one-to-one as it
-/// has been written. `Bijective_low_distortion_parameterizer_3` is the method that never folds.
+/// Each step fits a rotation to every face and the radius of the sphere to all faces. It then moves all vertices to the
+/// solution of a sparse linear system, whose matrix is factorized once. The iteration ends when a step decreases the
+/// energy by less than one millionth of it, or when no step decreases it. The latter happens where faces are about to
+/// be inverted, because the energy is not smooth there.
 ///
-/// The rounds end when one lowers the energy by less than a millionth of it, or when none lowers it at all, which
-/// happens where faces are about to fold: there the energy is not smooth.
+/// The average distortion is low. However, the energy penalizes shrinking a face only weakly, and inverting it only
+/// slightly more.
+///
+/// <b>Guarantee.</b> The map may have inverted faces, which is common at extremities. Such a map is written, and
+/// `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is returned only if the map has been certified bijective as it has been
+/// written. `Bijective_low_distortion_parameterizer_3` guarantees a bijective map.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -51,19 +53,19 @@ template <class InitialParameterizer = Hierarchical_parameterizer_3<>, class Sol
 class ARAP_parameterizer_3
 {
 public:
-  /// constructs the parameterizer; `initial_parameterizer` makes the map to start with.
+  /// constructs the parameterizer; `initial_parameterizer` computes the initial map.
   explicit ARAP_parameterizer_3(const InitialParameterizer& initial_parameterizer = InitialParameterizer())
     : m_initial_parameterizer(initial_parameterizer)
   {}
 
-  /// computes a map from `tmesh` to a sphere around the origin, whose radius is a part of the result.
+  /// computes a map from `tmesh` to a sphere around the origin, whose radius is part of the result.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 500. `vertex_sphere_map` is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is
+  /// `number_of_iterations` is 500. `vertex_sphere_map` is left unchanged unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is
   /// returned.
   ///
-  /// \return what `Bijective_low_distortion_parameterizer_3` returns; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; or
-  ///         `ERROR_NO_1_TO_1_MAPPING` if the map that has been written folds
+  /// \return an error code of `Bijective_low_distortion_parameterizer_3`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
+  ///         `ERROR_NO_1_TO_1_MAPPING` if the map that has been written has inverted faces
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -79,7 +81,7 @@ public:
         });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
   /// returns whether the initial parameterizer is valid.

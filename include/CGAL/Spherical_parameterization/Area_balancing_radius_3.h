@@ -25,21 +25,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Area_balancing_radius_3` minimises the area distortion \f$ \sum (d + 1/d) \f$ of the flat image triangles
+/// The class `Area_balancing_radius_3` minimizes the area distortion \f$ \sum (d + 1/d) \f$ of the flat image triangles
 /// over the radius.
 ///
-/// This is eq. 11 of \cgalCite{cgal:whfl-bspld-16},
-/// \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$, with \f$ A \f$ the area of a face and \f$ a \f$
-/// that of its flat image at the radius \f$ r \f$. That paper compares distortions at this radius.
+/// It implements eq. 11 of \cgalCite{cgal:whfl-bspld-16},
+/// \f$ r \leftarrow r \left( \sum (A/a) / \sum (a/A) \right)^{1/4} \f$, where \f$ A \f$ is the area of a face and
+/// \f$ a \f$ the area of its flat image at the radius \f$ r \f$. The paper compares distortions at this radius.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_balancing_radius_3
 {
 public:
-  /// returns the radius to start with, `equal_area_radius`: that of the sphere which has the area of the surface.
+  /// returns the initial radius `equal_area_radius`, which gives the sphere the area of the surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, whatever the energy, in linear time.
+  /// returns the radius that follows `radius`, for any energy, in linear time.
   template <class Energy>
   double operator()(const Energy& /* energy */, const Face_range_3& faces, double radius)
   {

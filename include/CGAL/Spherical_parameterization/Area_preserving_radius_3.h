@@ -25,20 +25,20 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Area_preserving_radius_3` keeps the area of the surface: the flat image triangles have the same area in
-/// total as the faces.
+/// The class `Area_preserving_radius_3` preserves the total area: the flat image triangles have the same total area as
+/// the faces.
 ///
-/// This is eq. 9 of \cgalCite{cgal:whfl-bspld-16}, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$, with \f$ A \f$ the
-/// area of a face and \f$ a \f$ that of its flat image at the radius \f$ r \f$.
+/// It implements eq. 9 of \cgalCite{cgal:whfl-bspld-16}, \f$ r \leftarrow r \sqrt{\sum A / \sum a} \f$, where \f$ A \f$
+/// is the area of a face and \f$ a \f$ the area of its flat image at the radius \f$ r \f$.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Area_preserving_radius_3
 {
 public:
-  /// returns the radius to start with, `equal_area_radius`: that of the sphere which has the area of the surface.
+  /// returns the initial radius `equal_area_radius`, which gives the sphere the area of the surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
-  /// returns the radius that follows `radius`, whatever the energy, in linear time.
+  /// returns the radius that follows `radius`, for any energy, in linear time.
   template <class Energy>
   double operator()(const Energy& /* energy */, const Face_range_3& faces, double radius)
   {

@@ -36,31 +36,36 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Bijective_low_distortion_parameterizer_3` implements the method BLD \cgalCite{cgal:whfl-bspld-16}. It
-/// starts from a one-to-one map onto the sphere, however distorted, and lowers one objective of the map, the radius and a
-/// level, see `Sharpness`, by block coordinate descent over the vertices (eq. 8), the radius and the level, and by smooth
-/// steps of all of them together. The vertices of one colour of a graph colouring are moved in parallel. No step ever inverts
-/// a face, and, without a radius policy, none raises the objective for good: \ref SphericalParameterizationSharpness says why.
+/// The class `Bijective_low_distortion_parameterizer_3` computes a bijective map with low distortion from a surface to
+/// a sphere, by an extension of the method BLD \cgalCite{cgal:whfl-bspld-16}.
 ///
-/// It is used with its defaults by `parameterize()`. Settings are chained, here with `SP` for the namespace:
+/// It is the default method of `parameterize()`. Each setting is a function that returns a changed parameterizer, so
+/// that calls can be chained, here with `SP` for the namespace:
 /// \code
 /// SP::parameterize(mesh, SP::Bijective_low_distortion_parameterizer_3().sharpness(SP::Sharpness::fixed(5.)), map);
 /// \endcode
 ///
-/// Sweeps go on until the objective, the average energy and the radius have settled. Each is preceded by steps of the level and the
-/// radius, every other one by a smooth step where that is worth its time, and followed by sweeps over the neighborhoods of the
-/// worst faces. A dial beyond that of `Sharpness::balanced()` starts from the map that has settled for that one.
-/// \ref SphericalParameterizationSharpness says how it works. The report counts sweeps over all vertices only.
+/// <b>Objective.</b> The parameterizer minimizes one function \f$ \Phi \f$ that combines the average and a soft maximum
+/// of the energies of the faces, see `Sharpness`. The variables of \f$ \Phi \f$ are the map, the radius of the sphere
+/// and the level of the soft maximum. If a radius policy is set, the policy determines the radius instead.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned, by exact predicates on the points as they have been
-/// written, for a run that was stopped early as well. A sweep takes linear time. The result is the same to the last bit
-/// for any number of threads.
+/// <b>Method.</b> The descent starts from any bijective map. Sweeps move each vertex by a Newton step, where the paper
+/// uses gradient steps (eq. 8). They alternate with steps of all variables together.
+/// \ref SphericalParameterizationHowItWorksDescent has the details.
+///
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective, also after a run that was stopped early. Exact
+/// predicates certify the points as they have been written. No step inverts a face. Without a radius policy, no step
+/// increases \f$ \Phi \f$ by more than rounding error, see \ref SphericalParameterizationHowItWorksMonotonic. The
+/// result is bitwise identical for any number of threads.
+///
+/// <b>Complexity.</b> A sweep takes linear time. `report()` counts the sweeps over all vertices only, not those around
+/// the worst faces.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
-/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> no policy; the radius is a variable of
-///         the objective
+/// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> no policy; the radius is a variable
+///         of the objective
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
 ///         `Hierarchical_parameterizer_3` with the energy of this class
 ///
@@ -77,7 +82,7 @@ public:
   /// constructs the parameterizer with the default settings.
   Bijective_low_distortion_parameterizer_3() = default;
 
-  /// sets the energy that is lowered. `OtherEnergy` must be a model of `DistortionEnergy_3`.
+  /// sets the distortion energy. `OtherEnergy` must be a model of `DistortionEnergy_3`.
   template <class OtherEnergy>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<OtherEnergy, Radius, InitialParameterizer> energy(
       const OtherEnergy& energy) const
@@ -85,8 +90,8 @@ public:
     return {energy, m_radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets a radius policy. By default there is none: the radius is a variable of the objective. `OtherRadius` must be a
-  /// model of `SphereRadiusPolicy_3`.
+  /// sets a radius policy. By default there is none, and the radius is a variable of the objective. `OtherRadius` must
+  /// be a model of `SphereRadiusPolicy_3`.
   template <class OtherRadius>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<Energy, OtherRadius, InitialParameterizer> radius(
       const OtherRadius& radius) const
@@ -94,7 +99,7 @@ public:
     return {m_energy, radius, m_initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets the parameterizer that makes the map to start with. `OtherParameterizer` must be a model of
+  /// sets the parameterizer that computes the initial map. `OtherParameterizer` must be a model of
   /// `SphericalParameterizer_3`.
   template <class OtherParameterizer>
   [[nodiscard]] Bijective_low_distortion_parameterizer_3<Energy, Radius, OtherParameterizer> initial_parameterizer(
@@ -103,19 +108,23 @@ public:
     return {m_energy, m_radius, initial_parameterizer, m_sharpness, m_settings};
   }
 
-  /// sets how much the worst faces count, by default `Sharpness::balanced()`.
+  /// sets the weight of the worst faces in the objective, by default `Sharpness::balanced()`.
   [[nodiscard]] Bijective_low_distortion_parameterizer_3 sharpness(const Sharpness& sharpness) const
   {
     return {m_energy, m_radius, m_initial_parameterizer, sharpness, m_settings};
   }
 
-  /// sets the tolerances of the stopping rule: a run has converged when two sweeps and a smooth step change the objective and
-  /// the average energy by at most `energy_tolerance` and the radius by at most `radius_tolerance`, all relative, and the
-  /// sharpness has come to its end. For meshes of
-  /// \f$ n \leq 2000 \f$ vertices, these are the changes over \f$ 2 + \lfloor 2000 / n \rfloor \f$ sweeps, but over 100 at
-  /// most. Changes of energies are relative to what an energy is above that of an isometric map, or to twice the excess of the
-  /// largest over the average, if that is less, since a nearly isometric map has hardly more energy than the best one; but
-  /// no less than a millionth of the energy. With 0, a run ends when nothing changes any more.
+  /// sets the tolerances of the stopping criterion.
+  ///
+  /// A run has converged when, over two sweeps and one smooth step, the objective and the average energy change by at
+  /// most `energy_tolerance`, and the radius changes by at most `radius_tolerance`. The changes are relative. A mesh of
+  /// \f$ n \leq 2000 \f$ vertices is compared over \f$ 2 + \lfloor 2000 / n \rfloor \f$ sweeps, at most 100. A
+  /// sharpness that changes during the run must have reached its final value.
+  ///
+  /// The changes of the objective and of the average are relative to the smaller one of two numbers: the amount by
+  /// which the value exceeds the energy of an isometry, and twice the difference between the largest and the average
+  /// energy. They are relative to at least one millionth of the value. With tolerances of 0, a run ends when nothing
+  /// changes any more.
   ///
   /// \param energy_tolerance at least 0, by default 1e-3
   /// \param radius_tolerance at least 0, by default 2e-3
@@ -135,16 +144,17 @@ public:
 
   /// @}
 
-  /// computes a one-to-one map from `tmesh` to a sphere around the origin.
+  /// computes a bijective map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 250, and for meshes below 2000 vertices as many times more as they are smaller.
+  /// `number_of_iterations` is 250 for meshes of 2000 vertices and more. For \f$ n < 2000 \f$ vertices, it is
+  /// multiplied by \f$ 1 + \lfloor 2000 / (n + 1) \rfloor \f$.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
-  ///         `false` or a negative `number_of_iterations` is given; what the initial parameterizer returns if it
-  ///         fails, or `ERROR_INVALID_INITIAL_PARAMETERIZATION` if its map is not one-to-one by more than rounding
-  ///         can change; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the coordinates of
-  ///         `vertex_sphere_map`
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is `false` or
+  ///         `number_of_iterations` is negative; the error code of the initial parameterizer if it fails;
+  ///         `ERROR_INVALID_INITIAL_PARAMETERIZATION` if the initial map is not bijective, or if rounding errors could
+  ///         invert one of its faces; `ERROR_INSUFFICIENT_PRECISION` if the coordinates of `vertex_sphere_map` cannot
+  ///         represent the map
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -164,7 +174,7 @@ public:
       return ERROR_WRONG_PARAMETER;
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

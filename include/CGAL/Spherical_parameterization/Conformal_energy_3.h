@@ -25,8 +25,8 @@ namespace CGAL::Spherical_parameterization {
 /// The class `Conformal_energy_3` is the angle distortion
 /// \f$ E = I / d = \sigma_1 / \sigma_2 + \sigma_2 / \sigma_1 \f$.
 ///
-/// This is eq. 2 of \cgalCite{cgal:whfl-bspld-16} with \f$ \alpha = 1 \f$. It is at least 2, with equality for a
-/// similarity, and does not depend on the radius, for which `Fixed_radius_3` is the natural companion.
+/// This is eq. 2 of \cgalCite{cgal:whfl-bspld-16} with \f$ \alpha = 1 \f$. The energy is at least 2, with equality for
+/// a similarity. It does not depend on the radius, so it is usually combined with `Fixed_radius_3`.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///

@@ -27,13 +27,16 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Conformal_parameterizer_3` maps a surface to the unit sphere by the classical global conformal map: it
-/// lowers the discrete harmonic energy \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$ with the cotangent weights as
-/// they are, while Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
+/// The class `Conformal_parameterizer_3` computes the classical global conformal map from a surface to the unit sphere.
+/// It minimizes the discrete harmonic energy \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$ with unmodified cotangent
+/// weights. Moebius transformations keep the center of the surface's area at the center of the sphere.
 ///
-/// The iteration is that of `Harmonic_parameterizer_3`, but nothing prevents faces from turning over, which happens at
-/// extremities and at obtuse angles. A map that folds is written and reported as by `ARAP_parameterizer_3`.
-/// `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` is the method that never folds.
+/// The iteration is that of `Harmonic_parameterizer_3`, without its measures against inverted faces.
+///
+/// <b>Guarantee.</b> The map may have inverted faces, which occur at extremities and at obtuse angles. Such a map is
+/// written, and `ERROR_NO_1_TO_1_MAPPING` is returned. `OK` is returned only if the map has been certified bijective as
+/// it has been written. `Bijective_low_distortion_parameterizer_3` with `Conformal_energy_3` guarantees a bijective
+/// map.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -46,11 +49,11 @@ public:
   /// computes a map from `tmesh` to the unit sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 100. The map of `Stereographic_parameterizer_3` to start with is completed in any case.
-  /// `vertex_sphere_map` is left as it is unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is returned.
+  /// `number_of_iterations` is 100. The initial map of `Stereographic_parameterizer_3` is completed in any case.
+  /// `vertex_sphere_map` is left unchanged unless `OK` or `ERROR_NO_1_TO_1_MAPPING` is returned.
   ///
-  /// \return what `Harmonic_parameterizer_3` returns, or `ERROR_NO_1_TO_1_MAPPING` if the map that has been written
-  ///         folds
+  /// \return an error code of `Harmonic_parameterizer_3`; `ERROR_NO_1_TO_1_MAPPING` if the map that has been written
+  ///         has inverted faces
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -63,7 +66,7 @@ public:
         });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

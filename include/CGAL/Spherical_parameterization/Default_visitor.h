@@ -22,8 +22,8 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationVisitor
 ///
-/// The class `Default_visitor` does nothing and never stops a parameterization. It can be used as a base class if only
-/// some of the functions of the concept, which says when they are called and what with, are of interest.
+/// The class `Default_visitor` does nothing and never stops a run. It can be used as a base class if only some of the
+/// functions of the concept need to be overridden.
 ///
 /// \cgalModels{SphericalParameterizationVisitor}
 struct Default_visitor

@@ -20,12 +20,12 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The value of a distortion energy of one triangle with its first and second derivatives in the two invariants of the
-/// triangle's map, \f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$. This is what a model of
-/// `DistortionEnergy_3` returns to the Newton method.
+/// The class `Energy_derivatives_3` holds the value of the distortion energy of a triangle, with its first and second
+/// derivatives in the two invariants of the triangle's map, \f$ I = \sigma_1^2 + \sigma_2^2 \f$ and
+/// \f$ d = \sigma_1 \sigma_2 \f$. A model of `DistortionEnergy_3` returns it to Newton's method.
 ///
-/// \tparam FT the type of the numbers: `double`, or what stands for several of them, for which there are the four
-///         operations of arithmetic but not the functions of `<cmath>`; see `DistortionEnergy_3`
+/// \tparam FT the number type: `double`, or a pack of several numbers that supports the four arithmetic operations but
+///         not the functions of `<cmath>`; see `DistortionEnergy_3`
 template <class FT = double>
 struct Energy_derivatives_3
 {

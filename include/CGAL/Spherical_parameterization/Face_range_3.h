@@ -33,24 +33,26 @@ class Block_coordinate_descent;
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// What a radius policy gets to know of one face: its area on the surface and the two invariants of its map onto the
-/// sphere of the current radius. They follow a change of the radius: multiplying it by \f$ \rho \f$ multiplies `i`, `d`
-/// and `flat_d` by \f$ \rho^2 \f$. A face that is (nearly) flat counts as if it were a little less so.
+/// The class `Face_invariants_3` holds what a radius policy can use of a face: its area on the surface and the
+/// invariants of its map to the sphere of the current radius.
+///
+/// If the radius is multiplied by \f$ \rho \f$, then `i`, `d` and `flat_d` are multiplied by \f$ \rho^2 \f$. The shape
+/// of a (nearly) degenerate face is replaced by a slightly less degenerate one.
 ///
 /// \sa `Face_range_3`
 struct Face_invariants_3
 {
-  double area;   ///< \f$ A \f$, the area of the face on the surface, in a unit in which that of the surface is 4 pi
-  double i;      ///< \f$ I = \sigma_1^2 + \sigma_2^2 \f$ of the map onto the flat image triangle
-  double d;      ///< what the energy sees: \f$ \det(u_0, u_1, u_2) / (2 A r) \f$; the published method: `flat_d`
-  double flat_d; ///< \f$ \sigma_1 \sigma_2 = a / A \f$ of the map onto the flat image triangle, whose area is \f$ a \f$
+  double area; ///< \f$ A \f$, the area of the face on the surface, in a unit in which the area of the surface is 4 pi
+  double i;    ///< \f$ I = \sigma_1^2 + \sigma_2^2 \f$ of the map onto the flat image triangle
+  double d; ///< the invariant of the energy: \f$ \det(u_0, u_1, u_2) / (2 A r) \f$; in the published method: `flat_d`
+  double flat_d; ///< \f$ \sigma_1 \sigma_2 = a / A \f$ of the map onto the flat image triangle with the area \f$ a \f$
 };
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Face_range_3` is the range of the faces of a mesh as radius policies and energies see them: the
-/// invariants of each face on the sphere of the current radius. It refers to them, and is valid during the call that it
-/// is given to.
+/// The class `Face_range_3` is the range of the faces of a mesh that radius policies and energies iterate over. Its
+/// values are the invariants of each face on the sphere of the current radius. The range refers to data of the caller
+/// and is valid only during the call that receives it.
 ///
 /// \cgalModels{ConstRange}
 class Face_range_3
@@ -60,7 +62,7 @@ public:
   using value_type = Face_invariants_3;
   /// Iterator type
   using const_iterator = const Face_invariants_3*;
-  /// Iterator type, the same, as the faces are constant
+  /// Iterator type, the same type because the faces are constant
   using iterator = const_iterator;
   /// Size type
   using size_type = std::size_t;
@@ -80,13 +82,13 @@ public:
   /// returns whether there is no face.
   bool empty() const { return m_begin == m_end; }
 
-  /// returns the sums of `n` numbers over all faces, added up with all threads of the run. The order of the additions
-  /// and so the result does not depend on the number of threads. The time is linear.
+  /// returns `n` sums over all faces, computed with all threads of the run. The order of the additions, and therefore
+  /// the result, does not depend on the number of threads. The function takes linear time.
   ///
-  /// \tparam n how many sums
-  /// \tparam Terms a function object that several threads may call at once
+  /// \tparam n the number of sums
+  /// \tparam Terms a function object that several threads may call concurrently
   ///
-  /// \param terms `terms(face)` is an `std::array<double, n>`, what the face adds to each of the sums
+  /// \param terms `terms(face)` returns an `std::array<double, n>`, the summands of the face
   template <std::size_t n, class Terms>
   std::array<double, n> sums(const Terms& terms) const
   {
@@ -122,7 +124,7 @@ private:
   }
 
   const_iterator m_begin, m_end;
-  internal::Execution m_execution; // sequential but for the faces of a run
+  internal::Execution m_execution; // sequential except for the faces of a run
 };
 
 } // namespace CGAL::Spherical_parameterization

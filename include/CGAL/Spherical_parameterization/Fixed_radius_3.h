@@ -23,14 +23,15 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Fixed_radius_3` keeps the radius at a given value, in the unit of length of the surface. It goes with
-/// energies that do not depend on the radius, such as `Conformal_energy_3`, or with a sphere that is given.
+/// The class `Fixed_radius_3` keeps the radius at a given value, in the unit of length of the surface. It suits
+/// energies that do not depend on the radius, such as `Conformal_energy_3`, and spheres of prescribed size.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Fixed_radius_3
 {
 public:
-  /// constructs the policy with the radius `radius`, greater than 0 and finite, in the unit of length of the surface.
+  /// constructs the policy with the radius `radius`, which must be positive and finite, in the unit of length of the
+  /// surface.
   explicit Fixed_radius_3(double radius = 1.)
     : m_radius(radius)
   {}
@@ -41,10 +42,10 @@ public:
   /// returns whether the radius is positive and finite.
   bool is_valid() const { return internal::is_positive_and_finite(m_radius); }
 
-  /// returns the radius, whatever the area of the surface.
+  /// returns the radius, for any area of the surface.
   double initial_radius(double /* equal_area_radius */) const { return m_radius; }
 
-  /// returns the radius, whatever the arguments.
+  /// returns the radius, for any arguments.
   template <class Energy>
   double operator()(const Energy& /* energy */, const Face_range_3& /* faces */, double /* radius */)
   {

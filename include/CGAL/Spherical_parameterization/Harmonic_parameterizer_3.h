@@ -27,20 +27,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with the minimum discrete harmonic energy
-/// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$, where the weights of the edges are half the sums of the two
-/// opposite cotangents, raised to a small positive value where they are below.
+/// The class `Harmonic_parameterizer_3` maps a surface to the unit sphere with minimum discrete harmonic energy
+/// \f$ \frac{1}{2} \sum w_{ij} | u_i - u_j |^2 \f$. The weight of an edge is half the sum of the two opposite
+/// cotangents, raised to a small positive value if it is smaller.
 ///
-/// It is the map that \cgalCite{cgal:whfl-bspld-16} starts from. Angles are nearly kept, and areas differ by many
-/// orders of magnitude where a surface has extremities. The energy alone would be minimal if all vertices were mapped to one
-/// point. So Moebius transformations keep the centre of the area of the surface at the centre of the sphere.
+/// This is the initial map of \cgalCite{cgal:whfl-bspld-16}. Angles are nearly preserved. Areas differ by many orders
+/// of magnitude on surfaces with extremities. Since the energy alone is minimal for a map to a single point, Moebius
+/// transformations keep the center of the surface's area at the center of the sphere.
 ///
-/// The iteration starts from the map of `Stereographic_parameterizer_3`, and each step solves a sparse system, whose
-/// matrix is factored once; some ten steps are enough. It ends when a step changes the energy by less than 1e-9 of it.
+/// The iteration starts from the map of `Stereographic_parameterizer_3`. Each step solves a sparse linear system whose
+/// matrix is factorized once. The iteration ends when a step changes the energy by less than 1e-9 of it, usually after
+/// about ten steps.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned: the map is so all the way, as steps that would turn a
-/// face over are shortened, and it is certified as it has been written. If extremities would get smaller than double
-/// precision numbers resolve, `ERROR_INSUFFICIENT_PRECISION` is returned.
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective. Steps that would invert a face are shortened, and the
+/// map is certified as it has been written. If double precision cannot represent the images of extremities,
+/// `ERROR_INSUFFICIENT_PRECISION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -53,13 +54,13 @@ template <class SolverTraits = Default>
 class Harmonic_parameterizer_3
 {
 public:
-  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  /// computes a bijective map from `tmesh` to the unit sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
-  /// `number_of_iterations` is 100. The map of `Stereographic_parameterizer_3` to start with is completed in any case.
+  /// `number_of_iterations` is 100. The initial map of `Stereographic_parameterizer_3` is completed in any case.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if a negative
-  ///         `number_of_iterations` is given; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION`
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `number_of_iterations` is
+  ///         negative; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_INSUFFICIENT_PRECISION`
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -71,7 +72,7 @@ public:
     });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

@@ -32,19 +32,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Hierarchical_parameterizer_3` maps a surface to the unit sphere through a hierarchy of ever coarser
-/// meshes: independent sets of vertices are removed by half-edge collapses until a tetrahedron is left, the tetrahedron
-/// is mapped to a regular one, and the sets are inserted again, each vertex into the kernel of the hole that it left.
-/// After each set all vertices are moved by some sweeps of block coordinate descent on the energy, as on the finest
-/// mesh by `Bijective_low_distortion_parameterizer_3`, of which this class is the default initial parameterizer. On every level
-/// it lowers the average energy; by default that of angle plus area distortion, as the progressive method that the BLD
-/// paper compares with does.
+/// The class `Hierarchical_parameterizer_3` maps a surface to the unit sphere through a hierarchy of coarser meshes.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written. A
-/// kernel is never empty, but it may be too small for double precision numbers; in this case the map is computed anew
-/// with a guard against small faces, and if that fails several times, it is the one of `Schnyder_parameterizer_3`, and
-/// `Parameterization_report::used_last_resort` is set.
-/// Time and memory are linear in the number of vertices, but for the sorting of the candidates for a removal.
+/// Half-edge collapses remove independent sets of vertices until a tetrahedron is left, which is mapped to a regular
+/// one. The sets are then inserted again, each vertex into the kernel of the hole that its removal left. After each
+/// set, some sweeps of block coordinate descent decrease the average energy of the level. The default energy combines
+/// angle and area distortion.
+///
+/// This class is the default initial parameterizer of `Bijective_low_distortion_parameterizer_3`.
+///
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective: it is certified as it has been written. If double
+/// precision cannot represent the map, it is computed again with a penalty on small faces. If several such attempts
+/// fail, the map is that of `Schnyder_parameterizer_3`, and `Parameterization_report::used_last_resort` is set.
+///
+/// <b>Complexity.</b> Time and memory are linear in the number of vertices, except for sorting the candidates for
+/// removal.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -62,15 +64,15 @@ public:
   /// constructs the parameterizer with the default settings.
   Hierarchical_parameterizer_3() = default;
 
-  /// sets the energy that the sweeps lower. `OtherEnergy` must be a model of `DistortionEnergy_3`.
+  /// sets the distortion energy. `OtherEnergy` must be a model of `DistortionEnergy_3`.
   template <class OtherEnergy>
   [[nodiscard]] Hierarchical_parameterizer_3<OtherEnergy> energy(const OtherEnergy& energy) const
   {
     return Hierarchical_parameterizer_3<OtherEnergy>(energy, m_sweeps_per_level);
   }
 
-  /// sets the sweeps over each level, at least 1, by default 7. Levels below 2000 vertices are swept until they have
-  /// settled, up to 300 times.
+  /// sets the number of sweeps over each level, at least 1, by default 5. Levels below 2000 vertices are swept until
+  /// they have converged, at most 300 times.
   [[nodiscard]] Hierarchical_parameterizer_3 sweeps_per_level(std::size_t sweeps_per_level) const
   {
     return Hierarchical_parameterizer_3(m_energy, sweeps_per_level);
@@ -81,14 +83,14 @@ public:
 
   /// @}
 
-  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  /// computes a bijective map from `tmesh` to the unit sphere around the origin.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. There is no
-  /// `number_of_iterations`; after `maximum_running_time`, or if the visitor asks for it, the remaining levels get one
-  /// sweep each, the minimum, before the map is certified and returned.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`, without `number_of_iterations`.
+  /// After `maximum_running_time`, or if the visitor stops the run, each remaining level gets one sweep, the minimum,
+  /// before the map is certified and returned.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is
-  ///         `false`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be held by the coordinates of `vertex_sphere_map`
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_WRONG_PARAMETER` if `is_valid()` is `false`;
+  ///         `ERROR_INSUFFICIENT_PRECISION` if the coordinates of `vertex_sphere_map` cannot represent the map
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -103,8 +105,8 @@ public:
       return ERROR_WRONG_PARAMETER;
   }
 
-  /// returns what the last run did. The reason for its end is `CONVERGED` if the mesh has fewer than 2000 vertices and
-  /// has settled, `ITERATION_LIMIT` if all sweeps have been made.
+  /// returns the report of the last run. The stop reason is `CONVERGED` if the mesh has fewer than 2000 vertices and
+  /// the sweeps have converged, and `ITERATION_LIMIT` if all sweeps have been made.
   const Parameterization_report& report() const { return m_report; }
 
 #ifndef DOXYGEN_RUNNING

@@ -26,12 +26,13 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Isometric_energy_3` is the energy of the BLD paper, a blend of the angle distortion \f$ I / d \f$ and the
-/// area distortion \f$ d + 1 / d \f$.
+/// The class `Isometric_energy_3` is the energy of the BLD paper, a weighted sum of the angle distortion \f$ I / d \f$
+/// and the area distortion \f$ d + 1 / d \f$.
 ///
-/// It is eq. 2 of \cgalCite{cgal:whfl-bspld-16},
+/// This is eq. 2 of \cgalCite{cgal:whfl-bspld-16},
 /// \f[ E = \alpha \frac{I}{d} + (1 - \alpha) \left( d + \frac{1}{d} \right), \f]
-/// whose isometric maps use \f$ \alpha = 1/2 \f$. The energy is at least 2, with equality for an isometry.
+/// which the paper uses with \f$ \alpha = 1/2 \f$ for isometric maps. The energy is at least 2, with equality for an
+/// isometry.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///
@@ -64,7 +65,7 @@ public:
   {
     const double beta = 1. - m_alpha;
     const FT inverse_d = 1. / d;
-    const FT pole = (m_alpha * i + beta) * inverse_d; // the part of the energy that is infinite at d = 0
+    const FT pole = (m_alpha * i + beta) * inverse_d; // the part of the energy with a pole at d = 0
     return {pole + beta * d,
             m_alpha * inverse_d,
             beta - pole * inverse_d,
@@ -73,10 +74,10 @@ public:
             2. * pole * inverse_d * inverse_d};
   }
 
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  /// returns the factor that minimizes the sum of the energies of `faces` when the radius is multiplied by it.
   ///
-  /// It is \f$ ( \sum d^{-1} / \sum d )^{1/4} \f$ (eq. 11), or 1 if `alpha` is 1 and no radius is better than another.
-  /// The time is linear.
+  /// It is \f$ ( \sum d^{-1} / \sum d )^{1/4} \f$ (eq. 11). If `alpha` is 1, the energy does not depend on the radius,
+  /// and the factor is 1. The function takes linear time.
   double optimal_scale(const Face_range_3& faces) const
   {
     if(m_alpha == 1.)

@@ -28,16 +28,17 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Optimal_radius_3` minimises the sum of the energies in use over the radius, each times the area of its face
-/// on the surface if the energy weighs faces by it. If the energy has a member
-/// function `optimal_scale(faces)`, as those of the package have, it is called; for any other energy at most 20 damped
-/// Newton steps in the logarithm of the radius are made.
+/// The class `Optimal_radius_3` minimizes the sum of the energies of the faces over the radius. Each energy is weighted
+/// by the area of its face on the surface if the energy weighs faces by area.
+///
+/// If the energy has a member function `optimal_scale(faces)`, as most energies of the package do, that function is
+/// called. For any other energy, at most 20 damped Newton steps in the logarithm of the radius are made.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 class Optimal_radius_3
 {
 public:
-  /// returns the radius to start with, `equal_area_radius`: that of the sphere which has the area of the surface.
+  /// returns the initial radius `equal_area_radius`, which gives the sphere the area of the surface.
   double initial_radius(double equal_area_radius) const { return equal_area_radius; }
 
   /// returns the radius that follows `radius`, in linear time.
@@ -51,7 +52,7 @@ public:
   }
 
 private:
-  // minimises sum E(q^2 I, q^2 d) over t = log q
+  // minimizes sum E(q^2 I, q^2 d) over t = log q
   template <class Energy>
   static double newton_scale(const Energy& energy, const Face_range_3& faces)
   {

@@ -22,21 +22,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// Why a parameterizer has stopped.
+/// List of the reasons for which a parameterizer stops.
 enum Stop_reason
 {
-  NOT_RUN = 0,     ///< It has not run yet, or has refused the mesh or the map to start from.
-  CONVERGED,       ///< What is optimized has settled.
-  ITERATION_LIMIT, ///< The given number of sweeps has been made.
-  OBSTRUCTED,      ///< Every further step would turn a face over or raise the energy.
-  TIME_LIMIT,      ///< The given time was over.
-  STOPPED,         ///< The visitor has asked for it.
-  NON_FINITE_ENERGY ///< The energy of the map is not finite: the model of `DistortionEnergy_3` has returned infinity or NaN.
+  NOT_RUN = 0,      ///< There was no run yet, or the mesh or the initial map was rejected.
+  CONVERGED,        ///< The stopping criterion was met.
+  ITERATION_LIMIT,  ///< The maximum number of sweeps was made.
+  OBSTRUCTED,       ///< Every further step would invert a face or increase the energy.
+  TIME_LIMIT,       ///< The time limit was exceeded.
+  STOPPED,          ///< The visitor stopped the run.
+  NON_FINITE_ENERGY ///< The energy of the map is not finite: the model of `DistortionEnergy_3` returned infinity or NaN.
 };
 
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// returns a few English words for `reason`, a constant text.
+/// returns a short English description of `reason`, a constant string.
 inline const char* get_stop_message(Stop_reason reason)
 {
   switch(reason)
@@ -61,41 +61,43 @@ inline const char* get_stop_message(Stop_reason reason)
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// What a parameterizer did in its last run. The energies are those of the method, per face for
-/// `Bijective_low_distortion_parameterizer_3` and per area for those that make global steps; what a method does not
-/// have is 0. To `Hierarchical_parameterizer_3` the mesh is but the finest of the levels: it has no energies, and all
-/// its sweeps are those over levels.
+/// The class `Parameterization_report` describes the last run of a parameterizer.
+///
+/// Energies are those of the method: means over faces for `Bijective_low_distortion_parameterizer_3`, and means over
+/// the area for methods that move all vertices by global steps. Members that do not apply to a method are 0.
+/// `Hierarchical_parameterizer_3` treats the mesh as the finest level: it reports no energies and counts all its sweeps
+/// as sweeps over levels.
 struct Parameterization_report
 {
-  std::size_t number_of_vertices = 0;          ///< vertices that were mapped
-  std::size_t number_of_faces = 0;             ///< faces of the mesh
-  std::size_t number_of_isolated_vertices = 0; ///< vertices without a face, which were skipped
-  std::size_t number_of_flat_faces = 0; ///< faces (nearly) without area, mapped as if they were a little less flat
+  std::size_t number_of_vertices = 0;          ///< number of vertices that were mapped
+  std::size_t number_of_faces = 0;             ///< number of faces of the mesh
+  std::size_t number_of_isolated_vertices = 0; ///< number of vertices without a face, which were skipped
+  std::size_t number_of_flat_faces = 0;        ///< number of (nearly) degenerate faces, mapped as if slightly less flat
 
   double radius = 0.;                 ///< radius of the sphere, in the unit of length of the mesh
-  Stop_reason stop_reason = NOT_RUN;  ///< why the last phase ended
-  std::size_t number_of_levels = 0;   ///< levels of the hierarchy
-  std::size_t number_of_attempts = 0; ///< times that the hierarchy was mapped; above 1, the first attempts failed
+  Stop_reason stop_reason = NOT_RUN;  ///< reason for which the last phase ended
+  std::size_t number_of_levels = 0;   ///< number of levels of the hierarchy
+  std::size_t number_of_attempts = 0; ///< number of attempts to map the hierarchy; above 1, the first attempts failed
   bool used_last_resort =
-      false; ///< whether no attempt was successful: the first map is that of `Schnyder_parameterizer_3`
-  std::size_t number_of_level_iterations = 0;   ///< sweeps over levels of the hierarchy
-  std::size_t number_of_average_iterations = 0; ///< sweeps over the finest mesh with sharpness 0, or global steps
-  std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the finest mesh with a positive sharpness
-  double sharpness = 0.;      ///< the \f$ s \f$ of the last sweep, \f$ b / R \f$ for a dial, see `Sharpness`
+      false; ///< whether all attempts failed, so that the initial map is that of `Schnyder_parameterizer_3`
+  std::size_t number_of_level_iterations = 0;   ///< number of sweeps over levels of the hierarchy
+  std::size_t number_of_average_iterations = 0; ///< sweeps over the mesh itself with sharpness 0, or global steps
+  std::size_t number_of_sharp_iterations = 0;   ///< sweeps over the mesh itself with positive sharpness
+  double sharpness = 0.; ///< the \f$ s \f$ of the last sweep, \f$ b / R \f$ for a relative sharpness, see `Sharpness`
   double initial_energy = 0.; ///< average energy of the initial map
-  double average_energy = 0.; ///< average energy of the map, NaN if it is not finite
-  double largest_energy = 0.; ///< largest energy of a face, NaN if the average is
+  double average_energy = 0.; ///< average energy of the final map, NaN if it is not finite
+  double largest_energy = 0.; ///< largest energy of a face of the final map, NaN if the average is
 
-  double seconds_for_reading = 0.;      ///< checking and copying the mesh; starting threads
-  double seconds_for_hierarchy = 0.;    ///< removing vertices down to a tetrahedron
-  double seconds_for_embedding = 0.;    ///< inserting them again, and sweeps over coarse levels; or the initial map
-  double seconds_for_optimization = 0.; ///< sweeps over the finest mesh, or global steps
-  double seconds_for_certificate = 0.;  ///< writing the map and certifying it
+  double seconds_for_reading = 0.;      ///< time for checking and copying the mesh and starting threads
+  double seconds_for_hierarchy = 0.;    ///< time for removing vertices until a tetrahedron is left
+  double seconds_for_embedding = 0.;    ///< time for vertex insertion with its sweeps, or for the initial map
+  double seconds_for_optimization = 0.; ///< time for sweeps over the mesh itself, or for global steps
+  double seconds_for_certificate = 0.;  ///< time for writing and certifying the map
 
-  /// returns the number of sweeps over the finest mesh, or of global steps.
+  /// returns the number of sweeps over the mesh itself, or of global steps.
   std::size_t number_of_iterations() const { return number_of_average_iterations + number_of_sharp_iterations; }
 
-  /// returns the time of all stages.
+  /// returns the total time of all stages.
   double seconds() const
   {
     return seconds_for_reading + seconds_for_hierarchy + seconds_for_embedding + seconds_for_optimization +

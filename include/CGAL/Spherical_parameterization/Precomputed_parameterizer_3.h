@@ -25,16 +25,16 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Precomputed_parameterizer_3` hands out a map that the caller has already, projected to the unit sphere,
-/// so that it can start another parameterizer, for example one that was stopped.
+/// The class `Precomputed_parameterizer_3` projects a given map to the unit sphere. It serves as the initial
+/// parameterizer of another method, for example to continue a run that was stopped.
 ///
-/// A one-to-one mapping is guaranteed: if the caller's map is none,
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective. If the given map is not,
 /// `ERROR_INVALID_INITIAL_PARAMETERIZATION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
-/// \tparam PrecomputedMap must be a model of `ReadablePropertyMap` from the vertices of the mesh to `%Point_3` of a \cgal
-///         kernel, whose coordinates are of type `double` or `float`, or of an exact number type.
+/// \tparam PrecomputedMap must be a model of `ReadablePropertyMap` from the vertices of the mesh to `%Point_3` of a
+///         \cgal kernel, whose coordinates are of type `double` or `float`, or of an exact number type.
 template <class PrecomputedMap>
 class Precomputed_parameterizer_3
 {
@@ -44,14 +44,14 @@ public:
     : m_map(map)
   {}
 
-  /// checks the caller's map, and writes its projection to the unit sphere.
+  /// checks the given map and writes its projection to the unit sphere.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. There is nothing to stop: the
-  /// visitor is not called, and limits are without effect.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. Nothing is iterated: the visitor
+  /// is not called, and limits have no effect.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_INVALID_INITIAL_PARAMETERIZATION` if
-  ///         the caller's map is not one-to-one; `ERROR_INSUFFICIENT_PRECISION` if rounding to the coordinates of
-  ///         `vertex_sphere_map` turns a face over
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_INVALID_INITIAL_PARAMETERIZATION` if the given map
+  ///         is not bijective; `ERROR_INSUFFICIENT_PRECISION` if rounding to the coordinates of `vertex_sphere_map`
+  ///         inverts a face
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -63,12 +63,12 @@ public:
         run.error = run.read_map(m_map) ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
         m_report.seconds_for_embedding = run.control.lap();
         if(run.error == OK)
-          m_report.stop_reason = CONVERGED; // as there is nothing to improve
+          m_report.stop_reason = CONVERGED; // since there is nothing to improve
       }
     });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

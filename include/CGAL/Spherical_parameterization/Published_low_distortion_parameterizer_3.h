@@ -38,17 +38,19 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Published_low_distortion_parameterizer_3` is BLD as it was published \cgalCite{cgal:whfl-bspld-16},
-/// without any of the changes of `Bijective_low_distortion_parameterizer_3`: the yardstick that they are measured with,
-/// not a method to prefer.
+/// The class `Published_low_distortion_parameterizer_3` implements the method BLD as it was published
+/// \cgalCite{cgal:whfl-bspld-16}. It is a baseline for comparisons with `Bijective_low_distortion_parameterizer_3`,
+/// which is faster and reaches a lower distortion.
 ///
-/// It starts from a harmonic map, makes 100 sweeps of eq. 6 with the isometric energy, in which faces count with their
-/// flat area, then sweeps of eq. 7 with \f$ s \f$ growing from 0.1 to 10, and 2000 sweeps in all at most. Each vertex
-/// makes one step of gradient descent (eq. 8) per sweep: as long as the shortest edge at the vertex at first, shortened
-/// to 0.8 of its length until the energy falls and no face of the star is inverted, and given up below 1e-10 of that
-/// edge. The flat area is positive where a face turns over, so that nothing but this test prevents that, and faces may
-/// get stuck across a great circle. The radius follows eq. 9 until the sum changes by at most 1e-5 and the radius by at
-/// most 1e-3 in a sweep, both relative, and eq. 11 until they do so again.
+/// The method starts from a harmonic map. It makes 100 sweeps of eq. 6 with the isometric energy, where a face has the
+/// area of its flat image. Then it makes sweeps of eq. 7, in which \f$ s \f$ grows from 0.1 to 10, with at most 2000
+/// sweeps in total. In a sweep, each vertex makes one step of gradient descent (eq. 8). The trial step is as long as
+/// the shortest edge at the vertex. It is multiplied by 0.8 until the energy decreases and no face of the star is
+/// inverted. It is given up below 1e-10 of that edge.
+///
+/// The flat area of an inverted face is positive, so only the test for inverted faces prevents inversions, and faces
+/// may get stuck across a great circle. The radius follows eq. 9 until, in one sweep, the sum changes by at most 1e-5
+/// and the radius by at most 1e-3, both relative. Then it follows eq. 11 until the same criterion is met again.
 ///
 /// The guarantee is that of `Bijective_low_distortion_parameterizer_3`.
 ///
@@ -64,8 +66,8 @@ public:
   /// Each function returns a parameterizer with one setting changed, so that they can be chained.
   /// @{
 
-  /// constructs the parameterizer with the settings of the paper. The default radius has the tolerance 0: eq. 9 lasts
-  /// until the energy has settled as well.
+  /// constructs the parameterizer with the settings of the paper. The default radius policy has the tolerance 0: eq. 9
+  /// is used until the energy has converged as well.
   Published_low_distortion_parameterizer_3() = default;
 
   /// sets the radius policy. `OtherRadius` must be a model of `SphereRadiusPolicy_3`.
@@ -76,7 +78,7 @@ public:
     return {radius, m_initial_parameterizer, m_sharpness};
   }
 
-  /// sets the parameterizer that makes the map to start with. `OtherParameterizer` must be a model of
+  /// sets the parameterizer that computes the initial map. `OtherParameterizer` must be a model of
   /// `SphericalParameterizer_3`.
   template <class OtherParameterizer>
   [[nodiscard]] Published_low_distortion_parameterizer_3<Radius, OtherParameterizer> initial_parameterizer(
@@ -85,7 +87,7 @@ public:
     return {m_radius, initial_parameterizer, m_sharpness};
   }
 
-  /// sets how much the worst faces count, by default `Sharpness::schedule(0.1, 10., 100)`.
+  /// sets the weight of the worst faces in the objective, by default `Sharpness::schedule(0.1, 10., 100)`.
   [[nodiscard]] Published_low_distortion_parameterizer_3 sharpness(const Sharpness& sharpness) const
   {
     return {m_radius, m_initial_parameterizer, sharpness};
@@ -100,12 +102,12 @@ public:
 
   /// @}
 
-  /// computes a one-to-one map from `tmesh` to a sphere around the origin.
+  /// computes a bijective map from `tmesh` to a sphere around the origin.
   ///
   /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The default of
   /// `number_of_iterations` is 2000.
   ///
-  /// \return what `Bijective_low_distortion_parameterizer_3` returns
+  /// \return an error code of `Bijective_low_distortion_parameterizer_3`
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -124,7 +126,7 @@ public:
       return ERROR_WRONG_PARAMETER;
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

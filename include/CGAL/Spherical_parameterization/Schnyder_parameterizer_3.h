@@ -27,16 +27,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Schnyder_parameterizer_3` maps a surface to the unit sphere by its connectivity alone: a vertex of least degree is
-/// removed, the rest gets Schnyder's drawing \cgalCite{cgal:s-epgg-90} in a triangle, whose barycentric coordinates are numbers of
-/// faces, and the triangle is taken to an octant of the sphere. The removed vertex is put where it closes the sphere. This takes
-/// linear time, some tenths of a second for a million vertices.
+/// The class `Schnyder_parameterizer_3` maps a surface to the unit sphere by its connectivity alone, by Schnyder's
+/// drawing \cgalCite{cgal:s-epgg-90}.
 ///
-/// It is a theorem that this is a one-to-one mapping for every closed and connected triangle mesh of genus 0, whatever its
-/// points are, and that it still is one in numbers of type `double` up to 10,000,000 vertices; the proof is in the sources.
-/// So the default method falls back to this map where its own fails. As a map it is a bad one: it knows no lengths, and most faces
-/// are far smaller on the sphere than others. A descent from it takes many sweeps, and may end far from where one from
-/// `Hierarchical_parameterizer_3` ends.
+/// A vertex of minimum degree is removed. The rest is drawn in a triangle, where the barycentric coordinates of a
+/// vertex are numbers of faces. The triangle is mapped to an octant of the sphere, and the removed vertex closes the
+/// sphere. This takes linear time, some tenths of a second for a million vertices.
+///
+/// <b>Guarantee.</b> The map is bijective for every closed and connected triangle mesh of genus 0, wherever its points
+/// are. With at most 10,000,000 vertices, it remains bijective after rounding to double precision. Both are theorems;
+/// the sources contain the proof. Therefore, `Bijective_low_distortion_parameterizer_3` and
+/// `Hierarchical_parameterizer_3` use this map where their own initial map fails.
+///
+/// The distortion is high, because the map ignores all lengths: most faces are far smaller on the sphere than others. A
+/// descent from this map takes many sweeps and may converge to a different result than a descent from
+/// `Hierarchical_parameterizer_3`.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
@@ -45,13 +50,14 @@ namespace CGAL::Spherical_parameterization {
 class Schnyder_parameterizer_3
 {
 public:
-  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  /// computes a bijective map from `tmesh` to the unit sphere around the origin.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. As all is done in one step,
-  /// neither the visitor nor `maximum_running_time` can stop it, and there is no `number_of_iterations`.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`, without `number_of_iterations`.
+  /// Since the map is computed in one step, neither the visitor nor `maximum_running_time` can stop it.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_INSUFFICIENT_PRECISION` if the map cannot be
-  ///         held by the coordinates of `vertex_sphere_map`: those of type `float` suffice for some hundred vertices
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_INSUFFICIENT_PRECISION` if the coordinates of
+  ///         `vertex_sphere_map` cannot represent the map: coordinates of type `float` suffice for some hundred
+  ///         vertices
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -69,7 +75,7 @@ public:
     });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

@@ -28,52 +28,57 @@ class Sharpness_rule;
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Sharpness` says how much the worst faces count: the objective of the descent over the vertices.
+/// The class `Sharpness` sets the weight of the worst faces in the objective of the descent. The sharpness \f$ s \f$ is
+/// the exponent in \f$ \sum \exp( s E ) \f$ (eq. 7 of \cgalCite{cgal:whfl-bspld-16}): the larger it is, the more the
+/// sum is determined by the faces with the largest energies \f$ E \f$. With \f$ s = 0 \f$, the objective is the mean of
+/// the energies (eq. 6).
 ///
-/// There are two rules.
+/// The class offers two rules.
 ///
-/// - <b>A dial</b> \f$ \beta \f$. The objective is one function of the map and the radius, through the energies
-///   \f$ E \f$ of the faces, and of a level \f$ R \f$:
+/// - <b>Relative sharpness</b> \f$ \beta \f$, the default. The objective is one function of the map and the radius,
+///   through the energies \f$ E \f$ of the faces, and of a level \f$ R \f$:
 ///   \f[ \Phi = ( 1 - a ) \, \overline{E} + a \left( ( 1 - \tfrac{1}{b} ) R + \tfrac{R}{b} \; \overline{\exp( b ( E / R - 1 )
 ///   )} \right), \quad a = \frac{\beta}{\beta + 40}, \quad b = \beta + 1, \f]
-///   where a bar stands for the mean over the faces. At the best \f$ R \f$, the second part is a soft maximum: it has the
-///   unit of the energy, so that one \f$ \beta \f$ serves a smooth and a limbed surface, equals the energies where they are
-///   all the same, and is nearer to the largest the larger \f$ b \f$ is. The first part holds all other faces meanwhile.
+///   where a bar denotes the mean over the faces. For the optimal \f$ R \f$, the term in the large parentheses is a
+///   soft maximum of the energies: it equals the energies if they are all the same, and it approaches the largest
+///   energy as \f$ b \f$ grows. It has the unit of the energy, so that the same \f$ \beta \f$ suits all surfaces. The
+///   first term controls the other faces.
 ///
-///   In a sweep, \f$ R \f$ is fixed, and the objective is a mixture of eq. 6 and of eq. 7 of
-///   \cgalCite{cgal:whfl-bspld-16} with the sharpness \f$ s = b / R \f$. The levels of a hierarchy follow eq. 6.
+///   The level \f$ R \f$ is fixed during a sweep. The objective of a sweep is then a weighted sum of the objectives of
+///   eq. 6 and eq. 7 with \f$ s = b / R \f$. The coarse levels of a hierarchy use eq. 6.
 ///
-///   The dial goes from the lowest average distortion, 0, which is the plain mean of eq. 6, to a low maximum.
-///   In the geometric mean over 38 meshes, the isometric distortions are these times those at 0:
+///   With \f$ \beta = 0 \f$, the objective is the mean, which gives the lowest average distortion. Larger values
+///   decrease the maximum at the cost of the average. The table lists the isometric distortion relative to
+///   \f$ \beta = 0 \f$, as geometric means over 38 meshes. \ref SphericalParameterizationSharpness has an example, and
+///   \ref SphericalParameterizationQualityEnergies has values of single meshes.
 ///
 ///   | \f$ \beta \f$ | 0 | 3 | 6 | 12 | 20 | 40 | 100 |
 ///   | :------ | -: | -: | -: | -: | -: | -: | -: |
 ///   | maximum | 1 | 0.74 | 0.69 | 0.66 | 0.64 | 0.63 | 0.62 |
 ///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.04 | 1.06 | 1.09 |
 ///
-///   \ref SphericalParameterizationSharpness has those of single meshes.
-/// - <b>A schedule</b> of absolute values, that of the paper: \f$ s = 0 \f$ first, then from 0.1 to 10. The paper
-///   leaves eq. 6 after 100 sweeps and names the criterion as open, and of the growth of \f$ s \f$ it says that it
-///   adapts. Here \f$ s \f$ is raised by a quarter whenever a sweep has lowered neither the largest nor the average
-///   energy by a hundredth. Eq. 6 is left as soon as a sweep lowers the average energy by less than a thousandth, or
-///   after a given number of sweeps; as this is the schedule for plain gradient steps, which are slow, a thousandth
-///   takes the place of a hundredth then. Coarse levels follow eq. 6.
+/// - <b>A schedule</b> of absolute values, as in the paper: \f$ s = 0 \f$ first, then values from 0.1 to 10 by default.
+///   The first phase ends when a sweep decreases the average energy by less than one thousandth, or after a given
+///   number of sweeps. Then \f$ s \f$ is multiplied by 1.25 whenever a sweep decreases neither the largest nor the
+///   average energy by at least one hundredth, or by one thousandth if the number of sweeps of the first phase is
+///   given. The coarse levels of a hierarchy use eq. 6.
 class Sharpness
 {
 public:
   /// constructs the default, `balanced()`.
   Sharpness() = default;
 
-  /// returns the dial at 0: the lowest average distortion.
+  /// returns the relative sharpness 0, which gives the lowest average distortion.
   static Sharpness lowest_average() { return relative(0.); }
 
-  /// returns the dial at 20: a low maximum at a low average.
+  /// returns the relative sharpness 20, which gives a low maximum at a low average. This is the default.
   static Sharpness balanced() { return relative(balanced_beta); }
 
-  /// returns the dial at 40: the lowest maximum.
+  /// returns the relative sharpness 40, which gives the lowest maximum.
   static Sharpness lowest_worst() { return relative(40.); }
 
-  /// returns the dial at `beta`, from 0 to 10<sup>6</sup>.
+  /// returns the relative sharpness `beta`, from 0 to 10<sup>6</sup>. For values above 20, the descent first converges
+  /// for 20 and then continues with `beta`.
   static Sharpness relative(double beta)
   {
     Sharpness result;
@@ -81,18 +86,20 @@ public:
     return result;
   }
 
-  /// returns the fixed value `s`, 0 < `s` <= 10<sup>6</sup>, from the first sweep on, as in AMIPS.
+  /// returns the fixed value `s`, 0 < `s` <= 10<sup>6</sup>, from the first sweep on, as in AMIPS
+  /// \cgalCite{cgal:flg-clima-15}.
   static Sharpness fixed(double s) { return schedule(s, s); }
 
-  /// returns the schedule from `first` to `last`, 0 < `first` <= `last` <= 10<sup>6</sup>, after as many sweeps with
-  /// \f$ s = 0 \f$ as help, or none if both values are the same.
+  /// returns the schedule from `first` to `last`, 0 < `first` <= `last` <= 10<sup>6</sup>. Sweeps with \f$ s = 0 \f$
+  /// come first, as long as they decrease the average energy by one thousandth; there are none if both values are
+  /// equal.
   static Sharpness schedule(double first = 0.1, double last = 10.)
   {
     return schedule(first, last, first == last ? 0 : adaptive, 1e-2);
   }
 
   /// returns the schedule from `first` to `last`, 0 < `first` <= `last` <= 10<sup>6</sup>, after exactly
-  /// `number_of_average_sweeps` sweeps with \f$ s = 0 \f$, of which the paper makes 100.
+  /// `number_of_average_sweeps` sweeps with \f$ s = 0 \f$. The paper uses 100.
   static Sharpness schedule(double first, double last, std::size_t number_of_average_sweeps)
   {
     return schedule(first, last, number_of_average_sweeps, 1e-3);
@@ -104,7 +111,7 @@ public:
 private:
   friend class internal::Sharpness_rule;
 
-  static constexpr double balanced_beta = 20.; // more hardly lowers the maximum, see the table
+  static constexpr double balanced_beta = 20.; // larger values hardly decrease the maximum, see the table
   static constexpr std::size_t adaptive = static_cast<std::size_t>(-1);
 
   static Sharpness schedule(double first, double last, std::size_t number_of_average_sweeps, double min_fall)
@@ -119,9 +126,9 @@ private:
   }
 
   bool m_is_relative = true;
-  double m_first = balanced_beta, m_last = balanced_beta; // the dial, or the ends of the schedule
+  double m_first = balanced_beta, m_last = balanced_beta; // relative sharpness, or limits of the schedule
   std::size_t m_number_of_average_sweeps = 0;
-  double m_min_fall = 0.; // of an energy in a sweep, relative: below, the schedule goes on
+  double m_min_fall = 0.; // the relative decrease of an energy in a sweep below which the schedule advances
 };
 
 } // namespace CGAL::Spherical_parameterization

@@ -39,28 +39,31 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// The class `Sphere_locator_3` is the inverse of a map to the sphere: for a direction, it finds the face whose image
-/// contains it, and the point of this face.
+/// The class `Sphere_locator_3` is the inverse of a map to the sphere: it finds the face whose image contains a given
+/// direction, and the corresponding point of the face.
 ///
-/// A direction is a point other than the origin, at any finite distance from it: what counts is the ray from the origin
-/// through it. A face \f$ (a, b, c) \f$ of images contains \f$ q \f$ if \f$ q = \alpha a + \beta b + \gamma c \f$ with
-/// no negative coefficient; these, divided by their sum, are the barycentric coordinates of the point of the surface. So
-/// a face of the surface is mapped linearly to the flat triangle of its vertices' images, and this triangle is projected
-/// to the sphere along the rays from the origin.
+/// A direction is a point other than the origin, at any finite distance from it; it stands for the ray from the origin
+/// through the point. The face with the images \f$ (a, b, c) \f$ contains the direction \f$ q \f$ if
+/// \f$ q = \alpha a + \beta b + \gamma c \f$ with non-negative coefficients. The coefficients divided by their sum are
+/// the barycentric coordinates of the surface point. This means that each face of the surface is mapped linearly to the
+/// flat triangle of its vertices' images, and this triangle is projected to the sphere along the rays from the origin.
 ///
-/// - The face is exact for the points as they are in the map and the direction as it is given, whatever the kernel.
-/// - Of the faces that share the edge or vertex that a direction meets, the first one in `faces(tmesh)` is its face: each
-///   direction has exactly one location, which depends on nothing else. The coordinates of the vertices that are not on
-///   this edge, or are not this vertex, are 0 then, and no other coordinate is, unless it is below the range of doubles.
-/// - Coordinates are in [0, 1], and their sum is 1 up to rounding. If their type is `double`, each of them has a relative
-///   error of some units in the last place over the angle between the direction and the opposite edge of the image, or
-///   of 1e-6 if that is less; those of an exact number type are exact.
+/// - The face is exact for the points in the map and for the given direction, with any kernel.
+/// - If a direction meets an edge or a vertex, the result is the first of the incident faces in `faces(tmesh)`. Hence
+///   each direction corresponds to exactly one location. The coordinates of the vertices that do not belong to this
+///   edge, or differ from this vertex, are then 0. No other coordinate is 0, unless it is below the range of type
+///   `double`.
+/// - Coordinates are in [0, 1], and their sum is 1 up to rounding error. Coordinates of type `double` have a relative
+///   error of a few units in the last place divided by the angle between the direction and the opposite edge of the
+///   image, but by at least 1e-6. Coordinates of an exact number type are exact.
 ///
-/// The locator keeps what it needs: some 42 bytes a face of an image with coordinates of type `double`, and a face
-/// descriptor. It is valid as long as the mesh is as it was; the map may change or go. It is made in linear time, unless
-/// long and narrow faces are crossed by many cells of its grid: `n` faces around a vertex take a time of
-/// \f$ O(n^{3/2}) \f$. A query walks over the few faces between the direction and the centre of its cell. Simultaneous
-/// queries are safe if the coordinates are of type `double` or `float`.
+/// <b>Complexity.</b> The locator stores about 42 bytes per face if the images have coordinates of type `double`, and a
+/// face descriptor per face. Construction takes linear time, unless long and narrow faces cross many cells of the grid:
+/// \f$ n \f$ faces around a vertex take \f$ O(n^{3/2}) \f$ time. A query walks across the few faces between the center
+/// of its cell and the direction.
+///
+/// <b>Validity.</b> The locator is valid as long as the mesh does not change; the map may be changed or destroyed.
+/// Concurrent queries are safe if the coordinates are of type `double` or `float`.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
@@ -77,28 +80,28 @@ class Sphere_locator_3
   using Triangulation = internal::Sphere_triangulation<Exact_kernel>;
 
 public:
-  /// Number type of the coordinates: `double` if those of the map are of type `double` or `float`, or else their exact
-  /// number type
+  /// Number type of the coordinates: `double` if the coordinates of the map are of type `double` or `float`, and
+  /// otherwise their exact number type
   using FT = typename Exact_kernel::FT;
   /// Face descriptor of the mesh
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  /// A face `f` and the barycentric coordinates of a point of it with respect to `source(halfedge(f, tmesh), tmesh)`,
-  /// `target(halfedge(f, tmesh), tmesh)` and the third vertex: what the functions of `PMP_locate_grp`, such as
-  /// `CGAL::Polygon_mesh_processing::construct_point()`, take.
+  /// A face `f` and the barycentric coordinates of one of its points with respect to
+  /// `source(halfedge(f, tmesh), tmesh)`, `target(halfedge(f, tmesh), tmesh)` and the third vertex. The functions of
+  /// `PMP_locate_grp` use the same type, for example `CGAL::Polygon_mesh_processing::construct_point()`.
   using Face_location = std::pair<face_descriptor, std::array<FT, 3>>;
 
-  /// The place where a query has ended, from which the next one sets out if that is near.
+  /// The class `Hint` stores the location at which a query has ended, from which a query nearby starts.
   class Hint
   {
     friend class Sphere_locator_3;
     typename Triangulation::Hint m_hint;
   };
 
-  /// makes the locator of a mesh and its map, and checks that the map is a bijection.
+  /// constructs the locator of a mesh and its map, and checks that the map is bijective.
   ///
   /// \param tmesh the mesh
   /// \param vertex_sphere_map the images of the vertices, at any distance from the origin
-  /// \param is_known_to_be_bijective whether to save this check, which takes some 40 ns a face, because
+  /// \param is_known_to_be_bijective whether to skip this check, which takes about 40 ns per face, because
   ///        `parameterize()` has returned `OK` for the map, or `is_bijective()` has returned `true`
   Sphere_locator_3(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map, bool is_known_to_be_bijective = false)
   {
@@ -117,15 +120,15 @@ public:
       m_triangulation = Triangulation();
   }
 
-  /// returns `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if an image is
-  /// infinite or not a number; `ERROR_NO_1_TO_1_MAPPING` if the map is no bijection.
+  /// returns `OK`, or a defect of the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if an image is infinite
+  /// or not a number; `ERROR_NO_1_TO_1_MAPPING` if the map is not bijective.
   Error_code error_code() const { return m_error_code; }
 
-  /// returns the location of `direction`: that of no face, `boost::graph_traits<TriangleMesh>::%null_face()`, with
-  /// coordinates of 0, if the direction is zero, infinite or not a number, and always unless `error_code()` is `OK`.
+  /// returns the location of `direction`. If the direction is zero, infinite or not a number, or if `error_code()` is
+  /// not `OK`, the face is `boost::graph_traits<TriangleMesh>::%null_face()` and all coordinates are 0.
   ///
-  /// \tparam Point `%Point_3` of a \cgal kernel with coordinates of type `double` or `float`, or, if those of the map
-  ///         are of an exact number type, the value type of the map
+  /// \tparam Point `%Point_3` of a \cgal kernel with coordinates of type `double` or `float`; if the coordinates of the
+  ///         map are of an exact number type, the value type of the map
   template <class Point>
   Face_location locate(const Point& direction) const
   {
@@ -133,11 +136,11 @@ public:
     return locate(direction, hint);
   }
 
-  /// returns the same, and in less time if the query before was for a direction next to this one.
+  /// returns the same location, in less time if the previous query was for a direction nearby.
   ///
   /// \param direction the direction
-  /// \param hint the place where the query before of this locator has ended, or that of no query; the place where this
-  ///        one ends is written to it. Each thread needs its own.
+  /// \param hint the location at which the previous query of this locator ended, or a default-constructed hint; it
+  ///        receives the location at which this query ends. Each thread needs its own hint.
   template <class Point>
   Face_location locate(const Point& direction, Hint& hint) const
   {
@@ -146,19 +149,21 @@ public:
     return location(m_triangulation.locate(converted(direction), hint.m_hint));
   }
 
-  /// locates all directions of a range, in parallel unless the coordinates are of an exact number type. In a mesh with
-  /// 100,000 faces or more, whose faces are not all in the caches of a processor, it takes them in the order of a curve
-  /// on the sphere, which is two or three times as fast if they are in none. The range and the output iterator are used
-  /// by the calling thread alone, and all of the range is read before anything is written.
+  /// locates all directions of a range, in parallel unless the coordinates are of an exact number type.
   ///
-  /// \tparam DirectionRange a model of `ConstRange` whose value type is a type of directions
-  /// \tparam OutputIterator a model of `OutputIterator` that takes `Face_location`
+  /// In a mesh of 100,000 faces or more, queries follow a space-filling curve on the sphere, which is two or three
+  /// times as fast if the faces are in no cache of the processor. Only the calling thread uses the range and the output
+  /// iterator, and it reads the whole range before it writes anything.
+  ///
+  /// \tparam DirectionRange a model of `ConstRange` whose value type is a direction type
+  /// \tparam OutputIterator a model of `OutputIterator` for values of type `Face_location`
   ///
   /// \param directions the directions
   /// \param locations receives the location of each direction, in the order of the range
   ///
-  /// \return `OK`; `ERROR_INVALID_DIRECTION` if a direction is zero, infinite or not a number: its location, and no
-  ///         other one, is that of no face; or `error_code()` if that is not `OK`: nothing is written then
+  /// \return `OK`; `ERROR_INVALID_DIRECTION` if a direction is zero, infinite or not a number: the face of its location
+  ///         is the null face, and all other locations are valid; or `error_code()` if that is not `OK`, and nothing is
+  ///         written
   template <class DirectionRange, class OutputIterator>
   Error_code locate(const DirectionRange& directions, OutputIterator locations) const
   {

@@ -27,24 +27,28 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Stereographic_parameterizer_3` maps a surface to the unit sphere through the plane: a vertex in the
-/// middle of the surface is removed, and the rest gets a Tutte embedding with the neighbours of that vertex on a circle
-/// and with cotangent weights, raised where they would not be positive. The plane goes to the sphere by the inverse of
-/// the stereographic projection, and a Moebius transformation balances the two sides: it brings the centre of the area
-/// of the surface to the centre of the sphere. Angles are kept but for what the roundness of the circle costs, and
-/// areas differ by many orders of magnitude where a surface has extremities. One sparse matrix is factorised, and used twice: to
-/// learn where most of the surface is, and to place it there.
+/// The class `Stereographic_parameterizer_3` maps a surface to the unit sphere by a planar Tutte embedding and the
+/// inverse stereographic projection.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned, because the map is certified as it has been written.
-/// It exists for every mesh: where the inverse stereographic projection would turn a large face over, the plane is
-/// projected from the centre of the sphere. But extremities may get smaller than double precision numbers resolve; then
-/// `ERROR_INSUFFICIENT_PRECISION` is returned.
+/// A vertex in the middle of the surface is removed. Its neighbors are mapped to a circle, and the rest gets a Tutte
+/// embedding with cotangent weights, which are raised where they are not positive. A Moebius transformation moves the
+/// center of the surface's area to the center of the sphere. One sparse matrix is factorized and used for two
+/// solutions. The first one determines where most of the surface is mapped; the second one has its origin there.
+///
+/// Angles are preserved, apart from the effect of the circle. Areas differ by many orders of magnitude on surfaces with
+/// extremities.
+///
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective: it is certified as it has been written. In exact
+/// arithmetic, the map exists for every mesh: where the inverse stereographic projection would invert a large face, the
+/// plane is projected from the center of the sphere instead. If double precision cannot represent the images of
+/// extremities, `ERROR_INSUFFICIENT_PRECISION` is returned.
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam SolverTraits must be a model of `SparseLinearAlgebraWithFactorTraits_d`.<br> <b>%Default:</b> if
-///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined, a Cholesky factorization
-///         of the package, in an order of elimination that Eigen chooses, with the same bits on every machine
+///         \ref thirdpartyEigen "Eigen" 3.1 or greater is available and `CGAL_EIGEN3_ENABLED` is defined, a Cholesky
+///         factorization of the package, in an elimination order chosen by Eigen, with bitwise identical results on
+///         every machine
 ///
 /// \sa `Harmonic_parameterizer_3`
 /// \sa `Hierarchical_parameterizer_3`
@@ -52,12 +56,12 @@ template <class SolverTraits = Default>
 class Stereographic_parameterizer_3
 {
 public:
-  /// computes a one-to-one map from `tmesh` to the unit sphere around the origin.
+  /// computes a bijective map from `tmesh` to the unit sphere around the origin.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. As all is done in one step,
-  /// neither the visitor nor `maximum_running_time` can stop it, and there is no `number_of_iterations`.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`, without `number_of_iterations`.
+  /// Since the map is computed in one step, neither the visitor nor `maximum_running_time` can stop it.
   ///
-  /// \return `OK`, or what is wrong with the mesh, see `find_defect()`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
+  /// \return `OK`; a defect of the mesh, see `find_defect()`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`;
   ///         `ERROR_INSUFFICIENT_PRECISION`
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -70,7 +74,7 @@ public:
     });
   }
 
-  /// returns what the last run did.
+  /// returns the report of the last run.
   const Parameterization_report& report() const { return m_report; }
 
 private:

@@ -26,13 +26,14 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationEnergies
 ///
-/// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy. It is the default of the package.
+/// The class `Symmetric_Dirichlet_energy_3` is the symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15}. It is the
+/// default energy of the package.
 ///
 /// The energy
 /// \f[ E = \tfrac{1}{2} ( \sigma_1^2 + \sigma_2^2 + \sigma_1^{-2} + \sigma_2^{-2} ) = \tfrac{1}{2} I ( 1 + d^{-2} ) \f]
-/// is at least 2, with equality for an isometry, and grows with the square of the isometric distortion
-/// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, which makes it a better guard against the worst face than the energy of
-/// the BLD paper, `Isometric_energy_3`.
+/// is at least 2, with equality for an isometry. It grows with the square of the isometric distortion
+/// \f$ \max \{ \sigma_2, 1 / \sigma_1 \} \f$, and therefore penalizes the worst faces more than `Isometric_energy_3`
+/// does.
 ///
 /// \cgalModels{DistortionEnergy_3}
 ///
@@ -58,10 +59,10 @@ public:
             3. * i * inverse_d2 * inverse_d2};
   }
 
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`.
+  /// returns the factor that minimizes the sum of the energies of `faces` when the radius is multiplied by it.
   ///
-  /// Multiplying the radius by \f$ \rho \f$ turns \f$ (I, d) \f$ into \f$ (\rho^2 I, \rho^2 d) \f$, so the factor is
-  /// \f$ ( \sum I d^{-2} / \sum I )^{1/4} \f$. The time is linear.
+  /// A factor \f$ \rho \f$ changes \f$ (I, d) \f$ to \f$ (\rho^2 I, \rho^2 d) \f$, so the optimal factor is
+  /// \f$ ( \sum I d^{-2} / \sum I )^{1/4} \f$. The function takes linear time.
   double optimal_scale(const Face_range_3& faces) const
   {
     const auto [sum_of_i, sum_of_i_over_d2] = faces.sums<2>([](const Face_invariants_3& face) {

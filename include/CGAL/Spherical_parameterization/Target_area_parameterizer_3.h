@@ -45,20 +45,20 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// How near `Target_area_parameterizer_3` has come to the areas that were wanted. The <i>ratio</i> of a vertex is the area of its
-/// cell on the sphere, a third of that of the spherical triangles around it, over the area that was wanted; 1 is what was
-/// wanted.
+/// The class `Area_report` describes how well `Target_area_parameterizer_3` has met the prescribed areas. The
+/// <i>ratio</i> of a vertex is the area of its cell on the sphere, which is a third of the area of the spherical
+/// triangles around the vertex, divided by the prescribed area. It is 1 if the prescribed area is met.
 struct Area_report
 {
-  std::vector<double> ratios;    ///< of each vertex, in the order of `vertices(tmesh)`; 1 for one without a face
-  double deviation = 0.;         ///< the standard deviation of the ratios over their mean
+  std::vector<double> ratios;    ///< of each vertex, in the order of `vertices(tmesh)`; 1 for a vertex without a face
+  double deviation = 0.;         ///< the standard deviation of the ratios divided by their mean
   double largest_deviation = 0.; ///< the largest difference of a ratio from 1
-  std::size_t number_of_off_vertices = 0; ///< vertices whose ratio differs from 1 by more than 0.01
+  std::size_t number_of_off_vertices = 0; ///< number of vertices whose ratio differs from 1 by more than 0.01
 
-  /// faces whose area times density is below a millionth of the mean, which was wanted for them instead: the sphere has no place for
-  /// vertices all of whose faces have nothing
+  /// number of faces whose area times density is below one millionth of the mean; they get one millionth of the mean
+  /// instead, because vertices all of whose faces had no area could not be mapped injectively
   std::size_t number_of_raised_faces = 0;
-  std::size_t number_of_steps = 0; ///< the steps of all vertices together, after the descent
+  std::size_t number_of_steps = 0; ///< number of steps of all vertices together, after the descent
 
   /// returns whether the deviation is at most 0.001.
   bool is_reached() const { return deviation <= 1e-3; }
@@ -66,42 +66,45 @@ struct Area_report
 
 /// \ingroup PkgSphericalParameterizationMethods
 ///
-/// The class `Target_area_parameterizer_3` makes maps that give each part of the surface a share of the sphere: its share of the
-/// area of the surface, or of that times a density, and as little distortion besides as can be had then.
+/// The class `Target_area_parameterizer_3` computes bijective maps with prescribed areas (density-equalizing maps) and
+/// low distortion. Each part of the surface gets the same fraction of the sphere's area as it has of the surface's
+/// area, optionally times a density.
 ///
-/// What is met is the area of the <i>cell</i> of each vertex: a third of the areas of the spherical triangles around it. It has to
-/// be the same share of the sphere as a third of the areas of its faces, times their densities, is of the surface. The areas of
-/// all \f$ 2n - 4 \f$ faces would be \f$ 2n - 5 \f$ independent conditions on the \f$ 2n - 3 \f$ unknowns that turning the sphere leaves
-/// of a map; those of the cells leave half of these for the angles.
+/// The areas are prescribed for the <i>cells</i> of the vertices: a third of the area of the spherical triangles around
+/// a vertex is the same fraction of the sphere's area as a third of the areas of its faces, times their densities, is
+/// of the total. Cells, unlike faces, leave freedom for the angles: the areas of all \f$ 2n - 4 \f$ faces would be
+/// \f$ 2n - 5 \f$ independent conditions on the \f$ 2n - 3 \f$ degrees of freedom of a map up to rotations; the areas
+/// of the cells leave half of these.
 ///
 /// \code
 /// SP::Target_area_parameterizer_3<> equal_areas;
-/// SP::parameterize(mesh, equal_areas, map);                                       // equal_areas.area_report() tells how near
+/// SP::parameterize(mesh, equal_areas, map);                                       // equal_areas.area_report() has the deviation
 /// SP::parameterize(mesh, SP::Target_area_parameterizer_3<>().target_density(density), map);
 /// \endcode
 ///
-/// The method is that of `Bijective_low_distortion_parameterizer_3` for the faces scaled to the areas that they are to have, in the
-/// hierarchy and on the mesh. Then all vertices are moved together, by steps of Newton's method for the sum of the energies of the
-/// faces and \f$ \mu / 2 \f$ times that of the squared differences of all ratios of areas from 1, see `Area_report`, while
-/// \f$ \mu \f$ grows from 10 to 10<sup>6</sup>, and to 10<sup>9</sup> if that is not enough. The Hessian of the energy is made positive definite face by face, and the equations
-/// are solved with multipliers for the areas by a sparse factorisation. Steps that would turn a face over, or do not lower the
-/// sum, are halved, and damped.
+/// <b>Method.</b> A descent of `Bijective_low_distortion_parameterizer_3` on faces scaled to their prescribed areas
+/// computes an initial map. Newton's method then moves all vertices together. It minimizes the sum of the energies of
+/// the faces and a penalty \f$ \mu / 2 \f$ times the sum of the squared differences of all ratios from 1, see
+/// `Area_report`, where \f$ \mu \f$ grows from 10 to 10<sup>6</sup>, and to 10<sup>9</sup> if necessary.
+/// \ref SphericalParameterizationHowItWorksAreas describes the steps.
 ///
-/// Not all areas can be had: a face has less than half of the sphere, whatever density it has, the neighbours of a vertex of degree
-/// three bound its cell, and where slivers meet, the room for steps is little. The map is then as near as the steps came, and
-/// `area_report()` tells this for each vertex.
+/// <b>Limits.</b> Not all areas can be realized: a face has less than half of the sphere, whatever its density; the
+/// neighbors of a vertex of degree three bound its cell; and slivers leave little room for steps. The result is then
+/// the closest map that the steps reach, and `area_report()` has the deviation at each vertex.
 ///
-/// A one-to-one mapping is guaranteed whenever `OK` is returned, also for a run that was stopped early. The radius is that of the
-/// sphere with the area of the surface. The result is the same to the last bit for any number of threads. A step takes a time of
-/// some \f$ n \sqrt{n} \f$ and memory of some \f$ n \log n \f$, which is more than what other methods take: see the manual.
+/// <b>Guarantee.</b> If `OK` is returned, the map is bijective, also after a run that was stopped early. The radius
+/// gives the sphere the area of the surface. The result is bitwise identical for any number of threads.
 ///
-/// \note The class takes \ref thirdpartyEigen "Eigen".
+/// <b>Complexity.</b> A step takes about \f$ n \sqrt{n} \f$ time and \f$ n \log n \f$ memory, more than the other
+/// methods.
+///
+/// \note The class requires \ref thirdpartyEigen "Eigen".
 ///
 /// \cgalModels{SphericalParameterizer_3}
 ///
 /// \tparam Energy must be a model of `DistortionEnergy_3`.
-/// \tparam DensityMap must be a model of `ReadablePropertyMap` from the faces or the vertices of the mesh to numbers.<br>
-///         <b>%Default:</b> the density is 1 everywhere
+/// \tparam DensityMap must be a model of `ReadablePropertyMap` from the faces or the vertices of the mesh to
+///         numbers.<br> <b>%Default:</b> the density is 1 everywhere
 ///
 /// \sa `Bijective_low_distortion_parameterizer_3`
 template <class Energy = Symmetric_Dirichlet_energy_3, class DensityMap = Default>
@@ -115,23 +118,24 @@ public:
   /// constructs the parameterizer with the default settings.
   Target_area_parameterizer_3() = default;
 
-  /// sets the energy that is lowered besides. `OtherEnergy` must be a model of `DistortionEnergy_3`.
+  /// sets the distortion energy. `OtherEnergy` must be a model of `DistortionEnergy_3`.
   template <class OtherEnergy>
   [[nodiscard]] Target_area_parameterizer_3<OtherEnergy, DensityMap> energy(const OtherEnergy& energy) const
   {
     return {energy, m_density_map, m_sharpness, m_tolerance};
   }
 
-  /// sets how much of the sphere each part of the surface gets in relation to its area: the values of `density_map`, which are
-  /// finite and at least 0, in any unit. Those of vertices are averaged to faces. `OtherMap` must be a model of
-  /// `ReadablePropertyMap` whose key type is the face or the vertex descriptor of the mesh, and whose value type is a number.
+  /// sets the densities: each part of the surface gets a fraction of the sphere's area in proportion to its own area
+  /// times its density. The values of `density_map` are finite and at least 0, in any unit. Densities of vertices are
+  /// averaged over the faces. `OtherMap` must be a model of `ReadablePropertyMap` whose key type is the face or the
+  /// vertex descriptor of the mesh, and whose value type is a number.
   template <class OtherMap>
   [[nodiscard]] Target_area_parameterizer_3<Energy, OtherMap> target_density(const OtherMap& density_map) const
   {
     return {m_energy, density_map, m_sharpness, m_tolerance};
   }
 
-  /// sets how much the worst faces count in the descent that the steps start from, by default `Sharpness::balanced()`.
+  /// sets the weight of the worst faces in the objective of the initial descent, by default `Sharpness::balanced()`.
   [[nodiscard]] Target_area_parameterizer_3 sharpness(const Sharpness& sharpness) const
   {
     return {m_energy, m_density_map, sharpness, m_tolerance};
@@ -139,7 +143,7 @@ public:
 
   /// sets the deviation, see `Area_report`, at which the steps end.
   ///
-  /// \param tolerance at least 0, by default 5e-4; with 0, as near as can be
+  /// \param tolerance at least 0, by default 5e-4; with 0, the steps end when the deviation no longer decreases
   [[nodiscard]] Target_area_parameterizer_3 area_tolerance(double tolerance) const
   {
     return {m_energy, m_density_map, m_sharpness, tolerance};
@@ -150,16 +154,17 @@ public:
 
   /// @}
 
-  /// computes a one-to-one map from `tmesh` to the sphere around the origin that has the area of the surface.
+  /// computes a bijective map from `tmesh` to the sphere around the origin that has the area of the surface.
   ///
-  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The limit `number_of_iterations` and its default
-  /// are those of `Bijective_low_distortion_parameterizer_3`, and bound the sweeps before the steps, of which there are 200 at
-  /// most. Steps are told to the visitor as further iterations, with the sum that they lower as energy.
+  /// The parameters are those of `CGAL::Spherical_parameterization::parameterize()`. The limit `number_of_iterations`
+  /// and its default are those of `Bijective_low_distortion_parameterizer_3`; they bound the sweeps before the steps,
+  /// of which there are at most 200. The visitor receives the steps as further iterations, with the minimized sum as
+  /// energy.
   ///
-  /// \return `OK`, whether or not all areas could be had; or what is wrong with the mesh, see `find_defect()`;
-  ///         `ERROR_INVALID_DENSITY` if a density is negative, infinite or NaN, or all are 0; `ERROR_WRONG_PARAMETER` if
-  ///         `is_valid()` is `false` or a negative `number_of_iterations` is given; `ERROR_INSUFFICIENT_PRECISION` if the map
-  ///         cannot be held by the coordinates of `vertex_sphere_map`
+  /// \return `OK`, whether or not all areas are met; a defect of the mesh, see `find_defect()`; `ERROR_INVALID_DENSITY`
+  ///         if a density is negative, infinite or NaN, or if all densities are 0; `ERROR_WRONG_PARAMETER` if
+  ///         `is_valid()` is `false` or `number_of_iterations` is negative; `ERROR_INSUFFICIENT_PRECISION` if the
+  ///         coordinates of `vertex_sphere_map` cannot represent the map
   template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
             typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -171,23 +176,25 @@ public:
       m_area_report = Area_report();
       internal::Parameterization_run<ConcurrencyTag, TriangleMesh, CGAL_NP_CLASS> run(tmesh, np, m_report);
       internal::Area_shares shares;
-      const auto read_shares = [&](const auto& arrays) { return find_shares(tmesh, arrays, run.surface, shares); };
+      const auto read_shares = [&](const auto& arrays) {
+        return find_target_areas(tmesh, arrays, run.surface, shares);
+      };
       if(is_valid() && run.read_number_of_iterations() && run.read(read_shares))
         map(shares, run);
       const Error_code error = run.write(vertex_sphere_map);
       if(error == OK)
-        tell_of_areas(tmesh, shares, run);
+        report_areas(tmesh, shares, run);
       return error;
     }
     else
       return ERROR_WRONG_PARAMETER;
   }
 
-  /// returns what the last run did. The sweeps of the descent and the steps are iterations, and the energies are those of the
-  /// descent.
+  /// returns the report of the last run. It counts the sweeps of the descent and the steps as iterations, and the
+  /// energies are those of the descent.
   const Parameterization_report& report() const { return m_report; }
 
-  /// returns how near the last run has come to the areas that were wanted.
+  /// returns how well the last run has met the prescribed areas.
   const Area_report& area_report() const { return m_area_report; }
 
 private:
@@ -228,8 +235,8 @@ private:
   }
 
   template <class TriangleMesh, class Arrays>
-  Error_code find_shares(const TriangleMesh& tmesh, const Arrays& arrays, const internal::Surface& surface,
-                         internal::Area_shares& shares) const
+  Error_code find_target_areas(const TriangleMesh& tmesh, const Arrays& arrays, const internal::Surface& surface,
+                               internal::Area_shares& shares) const
   {
     std::vector<double> densities; // of the triangles
     if constexpr(!std::is_same<DensityMap, Default>::value)
@@ -271,13 +278,13 @@ private:
         shares.of_vertices);
     if(internal::are_safely_positive(run.surface.rings(), run.positions))
       m_area_report.number_of_steps =
-          internal::lower_area_differences(run.surface, shares, m_energy, m_tolerance, run.positions, run.control);
+          internal::minimize_area_deviation(run.surface, shares, m_energy, m_tolerance, run.positions, run.control);
     run.radius = run.surface.equal_area_radius();
     run.control.on_optimization_end();
   }
 
   template <class TriangleMesh>
-  void tell_of_areas(const TriangleMesh& tmesh, const internal::Area_shares& shares, const internal::Run& run)
+  void report_areas(const TriangleMesh& tmesh, const internal::Area_shares& shares, const internal::Run& run)
   {
     std::vector<double> ratios;
     internal::find_area_ratios(run.surface.rings(), run.positions, shares.of_vertices, ratios);

@@ -27,10 +27,12 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRadius
 ///
-/// The class `Two_phase_radius_3` follows one radius policy until the radius settles, and another one from then on. By
-/// default it is the scheme of the BLD paper \cgalCite{cgal:whfl-bspld-16}, and that of
-/// `Published_low_distortion_parameterizer_3`: eq. 9, which a very distorted initial map cannot mislead, then eq. 11,
-/// which gives the lower distortion.
+/// The class `Two_phase_radius_3` follows one radius policy until the radius has converged, and a second one from then
+/// on.
+///
+/// By default, it is the scheme of the BLD paper \cgalCite{cgal:whfl-bspld-16} and of
+/// `Published_low_distortion_parameterizer_3`: first eq. 9, which is robust for strongly distorted initial maps, then
+/// eq. 11, which gives the lower distortion.
 ///
 /// \cgalModels{SphereRadiusPolicy_3}
 ///
@@ -39,11 +41,11 @@ template <class FirstRadius = Area_preserving_radius_3, class SecondRadius = Are
 class Two_phase_radius_3
 {
 public:
-  /// constructs the policy from those of the two phases.
+  /// constructs the policy from the policies of the two phases.
   ///
-  /// \param first,second the policies of the first phase and of the second one
-  /// \param tolerance the first phase ends with a relative change of the radius of at most this, which is at least 0;
-  ///        with 0 it lasts until the energy has settled as well, as in the paper
+  /// \param first,second the policies of the first and of the second phase
+  /// \param tolerance the relative change of the radius at which the first phase ends, at least 0; with 0 it lasts
+  ///        until the energy has converged as well, as in the paper
   explicit Two_phase_radius_3(const FirstRadius& first = FirstRadius(), const SecondRadius& second = SecondRadius(),
                               double tolerance = 1e-3)
     : m_first(first)
@@ -57,8 +59,8 @@ public:
     return internal::is_valid_policy(m_first) && internal::is_valid_policy(m_second) && m_tolerance >= 0.;
   }
 
-  /// returns the radius to start with, that of the first phase, given the radius `equal_area_radius` of the sphere
-  /// which has the area of the surface.
+  /// returns the initial radius of the first phase, given the radius `equal_area_radius` at which the sphere has the
+  /// area of the surface.
   double initial_radius(double equal_area_radius) const { return m_first.initial_radius(equal_area_radius); }
 
   /// returns the radius that follows `radius`, in linear time.
@@ -72,9 +74,9 @@ public:
     return next;
   }
 
-  /// starts the second phase, or the next one of a policy that has phases itself, and returns whether there was one
-  /// left. It is called when the map has settled. (With a positive tolerance, the first policy is left as soon as the
-  /// radius has settled, in whatever phase of its own it is.)
+  /// starts the second phase, or the next phase of a policy that has phases itself, and returns whether there was one.
+  /// It is called when the map has converged. With a positive tolerance, the first policy ends as soon as the radius
+  /// has converged, even if that policy has further phases.
   bool next_phase()
   {
     if(m_is_settled)

@@ -13,8 +13,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_CORTEX_H
 
 /// \file Spherical_parameterization/cortex.h
-/// Convenience header file that includes what is special to cortical surfaces: sulcal measures, the pose of a sphere, and the
-/// files of FreeSurfer. Those of GIFTI and MGH, which need a library each, are included by name.
+/// Convenience header file that includes the functions for cortical surfaces: sulcal measures, the pose of a sphere,
+/// and the file formats of FreeSurfer. The headers for GIFTI and MGH files each need a library and are included
+/// individually.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

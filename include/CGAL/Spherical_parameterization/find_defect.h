@@ -30,22 +30,22 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// What keeps a mesh from being parameterized, and where it is. The text is for people, the descriptors are for
-/// programs that show or repair the place.
+/// The class `Mesh_defect` describes why a mesh cannot be parameterized, and where the defect is. The message is for
+/// people; the descriptors are for programs that show or repair the defect.
 ///
 /// | `error`                       | `vertex`          | `other_vertex` | `face`                 | `count`                |
 /// | :---------------------------- | :---------------- | :------------- | :--------------------- | :--------------------- |
 /// | `ERROR_EMPTY_MESH`            | -                 | -              | -                      | 0                      |
 /// | `ERROR_TOO_FEW_VERTICES`      | -                 | -              | -                      | vertices with a face   |
-/// | `ERROR_NON_TRIANGULAR_MESH`   | -                 | -              | the first of them      | such faces             |
-/// | `ERROR_NON_CLOSED_MESH`       | an end of an edge on the border | the other end | the face at that edge | such edges |
+/// | `ERROR_NON_TRIANGULAR_MESH`   | -                 | -              | the first such face    | such faces             |
+/// | `ERROR_NON_CLOSED_MESH`       | one end of an edge on the border | its other end | the face at that edge | such edges |
 /// | `ERROR_SEVERAL_COMPONENTS`    | one of a component | one of another component | -           | components             |
 /// | `ERROR_NO_TOPOLOGICAL_SPHERE` | -                 | -              | -                      | handles, the genus     |
-/// | `ERROR_NO_SIMPLICIAL_COMPLEX` | a vertex where several fans of faces meet, or an end of a repeated edge | the other end of the repeated edge | - | such edges, or vertices |
+/// | `ERROR_NO_SIMPLICIAL_COMPLEX` | where fans of faces meet, or an end of a repeated edge | its other end | - | such edges or vertices |
 /// | `ERROR_TOO_LARGE_MESH`        | -                 | -              | -                      | 0                      |
-/// | `ERROR_NON_FINITE_COORDINATE` | the first of them | -              | -                      | such vertices          |
+/// | `ERROR_NON_FINITE_COORDINATE` | the first such vertex | -          | -                      | such vertices          |
 ///
-/// What does not apply is a null descriptor.
+/// Members that do not apply are null descriptors.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <class TriangleMesh>
@@ -56,28 +56,29 @@ struct Mesh_defect
   /// Face descriptor type
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
-  Error_code error = OK;                                                       ///< what is wrong; `OK` if nothing is
-  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where; see above
-  vertex_descriptor other_vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< where; see above
-  face_descriptor face = boost::graph_traits<TriangleMesh>::null_face();             ///< where; see above
-  std::size_t count = 0;                                                             ///< how often; see above
+  Error_code error = OK;                                                       ///< the defect; `OK` if there is none
+  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< its location, see above
+  vertex_descriptor other_vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< its location, see above
+  face_descriptor face = boost::graph_traits<TriangleMesh>::null_face();             ///< its location, see above
+  std::size_t count = 0; ///< the number of defects of this kind, see above
 
-  /// English sentences: what is wrong, where, and what to do about it. They name vertices and faces by their places in
-  /// the ranges `vertices(tmesh)` and `faces(tmesh)`, counted from 0: for a mesh without removed elements, these are
-  /// its indices, and those of the file that it was read from.
+  /// English sentences that state the defect, its location, and a remedy. Vertices and faces are identified by their
+  /// positions in the ranges `vertices(tmesh)` and `faces(tmesh)`, counted from 0. For a mesh without removed elements,
+  /// these are the indices in the mesh and in the file it was read from.
   std::string message;
 };
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// finds what keeps a mesh from being parameterized, and where it is, by the checks of `parameterize()` itself: if no
-/// defect is found, that with default parameters returns `OK`; see there for its limits. The running time is linear in the size of the mesh.
+/// finds the first defect that keeps a mesh from being parameterized.
+///
+/// The checks are those of `parameterize()`: if no defect is found, `parameterize()` with default parameters returns
+/// `OK`, within the limits stated there. The running time is linear in the size of the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh a mesh, which need not be closed, connected or triangulated, as long as it is valid as a halfedge data
-///        structure
+/// \param tmesh a mesh that is a valid halfedge data structure; it need not be closed, connected or triangulated
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -88,7 +89,7 @@ struct Mesh_defect
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the first defect that is found, or one with `OK` if there is none
+/// \return the first defect that is found; its `error` is `OK` if there is none
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_defect<TriangleMesh> find_defect(const TriangleMesh& tmesh, const CGAL_NP_CLASS& np = parameters::default_values())
 {

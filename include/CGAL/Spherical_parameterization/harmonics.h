@@ -13,7 +13,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_HARMONICS_H
 
 /// \file Spherical_parameterization/harmonics.h
-/// Convenience header file that includes surfaces in spherical harmonics: expansion, reconstruction, rotation, and their files.
+/// Convenience header file that includes the functions for spherical harmonics of surfaces: expansion, reconstruction,
+/// rotation, standard position, and files of coefficients.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

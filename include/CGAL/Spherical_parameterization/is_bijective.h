@@ -27,23 +27,24 @@ namespace CGAL::Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
 /// returns whether a map from the vertices of a mesh to points around the origin is a bijection between the mesh and
-/// the sphere: each face is mapped to the triangle of its vertices' images, and this triangle is projected to the
-/// sphere along the rays from the origin. The images need not be on a sphere, since nothing but their directions
-/// matters.
+/// the sphere.
 ///
-/// The answer is exact for the points as they are in the map, whatever the kernel. It rests on a theorem: if every face
-/// (a, b, c) of a closed mesh is positively oriented about the origin, det(a, b, c) > 0, then the map covers each point
-/// of the sphere the same number of times, branch points aside. If this number, the degree, is one, the map is a
-/// homeomorphism. Positive faces alone do not suffice, because the faces around a vertex may turn around its image
-/// twice; so the degree is computed as well, as the number of faces that contain a generic direction.
+/// Each face is mapped linearly to the triangle of its vertices' images, and this triangle is projected to the sphere
+/// along the rays from the origin. Only the directions of the images matter; the images need not be on a sphere.
 ///
-/// A consequence of the theorem is that the answer is `false` for a mesh that is no topological sphere, in particular
-/// one that has several connected components or handles. It is also `false` for a mesh that is empty, that has a border
-/// or a face that is not a triangle, and if a coordinate is infinite or not a number. Vertices without faces are
-/// ignored. Meshes have less than 2^31 halfedges.
+/// The answer is exact for the points in the map, with any kernel. It is based on a theorem: if every face (a, b, c) of
+/// a closed mesh is positively oriented about the origin, det(a, b, c) > 0, then the map covers all points of the
+/// sphere equally often, except for branch points. This number is the degree of the map. If it is one, the map is a
+/// homeomorphism. Positive orientations alone are not sufficient, because the faces around a vertex may wind around its
+/// image twice. Therefore, the degree is computed as well, as the number of faces that contain a generic direction.
 ///
-/// The running time is linear in the number of faces, and so is the additional memory. The property map is read by the
-/// calling thread alone; coordinates of an exact number type are decided about by it as well.
+/// By the theorem, the result is `false` for a mesh that is not a topological sphere, for example one with several
+/// connected components or with handles. It is also `false` for a mesh that is empty, has a border, or has a face that
+/// is not a triangle, and if a coordinate is infinite or not a number. Vertices without faces are ignored. The mesh
+/// must have fewer than 2^31 halfedges.
+///
+/// The running time and the additional memory are linear in the number of faces. Only the calling thread reads the
+/// property map, and only it evaluates coordinates of an exact number type.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`

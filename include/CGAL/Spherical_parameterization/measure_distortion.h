@@ -35,21 +35,21 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// The distortion of a face of a mesh by a map to the sphere. The map sends the face to a flat triangle by a linear map
-/// with singular values \f$ s_1 \leq s_2 \f$. Each of the measures is invariant under inversion, that is, stretching a
-/// length, an area or a ratio of lengths by a factor is as bad as shrinking it by the same factor.
+/// The class `Face_distortion` holds the distortions of a face by a map to the sphere. The map sends the face to a flat
+/// triangle by a linear map with singular values \f$ s_1 \leq s_2 \f$. Each measure is invariant under inversion:
+/// stretching a length, an area or a ratio of lengths by a factor counts the same as shrinking it by this factor.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`
 struct Face_distortion
 {
-  /// \f$ \max(s_2, 1 / s_1) \f$: the largest factor by which a length is stretched or shrunk. At least 1, and 1 for an
+  /// \f$ \max(s_2, 1 / s_1) \f$: the largest factor by which a length is stretched or shrunk; at least 1, and 1 for an
   /// isometry.
   double isometric;
 
-  /// \f$ s_1 s_2 + 1 / (s_1 s_2) \f$: how the area changes. At least 2, and 2 if it stays the same.
+  /// \f$ s_1 s_2 + 1 / (s_1 s_2) \f$: the change of the area; at least 2, and 2 if the area is preserved.
   double area;
 
-  /// \f$ s_1 / s_2 + s_2 / s_1 \f$: how the angles change. At least 2, and 2 for a similarity.
+  /// \f$ s_1 / s_2 + s_2 / s_1 \f$: the change of the angles; at least 2, and 2 for a similarity.
   double angle;
 
   /// whether the image is not positively oriented about the origin, by an exact predicate on the points in the map.
@@ -58,9 +58,10 @@ struct Face_distortion
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// The statistics of one measure of distortion over the faces of a mesh, each face counting the same whatever its area.
+/// The class `Distortion_statistics` holds the statistics of one measure of distortion over the faces of a mesh. All
+/// faces have the same weight, whatever their area.
 ///
-/// All three numbers are infinite if the distortion of a face is, or if all faces are degenerate.
+/// All three values are infinite if the distortion of a face is infinite, or if all faces are degenerate.
 ///
 /// \sa `CGAL::Spherical_parameterization::Distortion_summary`
 struct Distortion_statistics
@@ -72,7 +73,7 @@ struct Distortion_statistics
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// The distortion of a map from a mesh to the sphere, summed up over its faces.
+/// The class `Distortion_summary` holds the distortion of a map from a mesh to the sphere, summarized over the faces.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion()`
 struct Distortion_summary
@@ -84,39 +85,40 @@ struct Distortion_summary
   /// the radius of the sphere: the average distance of the images from the origin.
   double radius = 0.;
 
-  /// the radius of the sphere at which the average of `Face_distortion::area` is least: eq. 11 of \cgalCite{cgal:whfl-bspld-16}, which
-  /// compares maps at this radius. Faces whose distortion is infinite do not count; 0 if there are no others.
+  /// the radius that minimizes the average of `Face_distortion::area`, eq. 11 of \cgalCite{cgal:whfl-bspld-16}; the
+  /// paper compares maps at this radius. Faces with infinite distortion do not count; 0 if there are no others.
   double balanced_radius = 0.;
 
-  /// all faces of the mesh.
+  /// number of all faces of the mesh.
   std::size_t number_of_faces = 0;
 
-  /// faces whose image is not positively oriented about the origin; degenerate faces may be among them.
+  /// number of faces whose image is not positively oriented about the origin, including degenerate ones.
   std::size_t number_of_inverted_faces = 0;
 
-  /// faces that are so thin that they have no distortion; they are left out of the statistics.
+  /// number of faces that are too thin to have a meaningful distortion; the statistics exclude them.
   std::size_t number_of_degenerate_faces = 0;
 };
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// measures how much a map to the sphere distorts the faces of a mesh, each one and all together.
+/// measures the distortion of a map to the sphere, for each face of a mesh and in total.
 ///
-/// A face is mapped linearly to the flat triangle of its vertices' images, at the radius that the map has; its
-/// distortions are those of `Face_distortion`, equations 12 to 14 of \cgalCite{cgal:whfl-bspld-16}.
+/// A face is mapped linearly to the flat triangle of its vertices' images, at the radius of the map. Its distortions
+/// are those of `Face_distortion`, equations 12 to 14 of \cgalCite{cgal:whfl-bspld-16}.
 ///
-/// - A face of the mesh whose area, taken twice, is at most 1e-12 times the square of its longest edge is degenerate.
-///   It has no distortion that would mean something: its values in `face_distortion_map` are infinite, and it is
-///   counted and left out of the statistics.
-/// - A face whose image has no area has infinite distortion, and so have the statistics then.
-/// - An inverted face, one whose image is not positively oriented about the origin, is counted, by an exact predicate.
-///   Its distortions are those of the mirrored face, and part of the statistics.
+/// - A face of the mesh is degenerate if twice its area is at most 1e-12 times the square of its longest edge. Its
+///   values in `face_distortion_map` are infinite, and it is counted but excluded from the statistics.
+/// - A face whose image has no area has infinite distortion, and then so do the statistics.
+/// - An inverted face is a face whose image is not positively oriented about the origin. An exact predicate decides
+///   this, and inverted faces are counted. Their distortions are those of the mirrored face and are included in the
+///   statistics.
 ///
-/// The values have a relative error of about 1e-15 times the longest edge of the face over its height if the
-/// coordinates are of type `double` or `float`; others count as `CGAL::to_double()` rounds their differences.
-/// Coordinates of any magnitude are treated alike. The running time is linear in the number of faces, and so is the
-/// additional memory. The property maps are read and written by the calling thread alone; coordinates of an exact
-/// number type are measured by it as well.
+/// If the coordinates are of type `double` or `float`, the values have a relative error of about 1e-15 times the
+/// longest edge of the face divided by its height. For other number types, `CGAL::to_double()` rounds the differences
+/// of the coordinates. Accuracy does not depend on the magnitude of the coordinates.
+///
+/// The running time and the additional memory are linear in the number of faces. Only the calling thread reads and
+/// writes the property maps, and only it evaluates coordinates of an exact number type.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -127,7 +129,8 @@ struct Distortion_summary
 ///
 /// \param tmesh a triangle mesh, closed or not
 /// \param vertex_sphere_map the images of the vertices, points around the origin
-/// \param distortion receives the statistics over the faces, the radius and the numbers of special faces
+/// \param distortion receives the statistics over the faces, the radius and the numbers of inverted and degenerate
+///        faces
 /// \param face_distortion_map receives the distortion of each face
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
@@ -140,7 +143,7 @@ struct Distortion_summary
 /// \cgalNamedParamsEnd
 ///
 /// \return `OK`; or `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH` or `ERROR_TOO_LARGE_MESH`, and `distortion` and
-///         `face_distortion_map` are as they were
+///         `face_distortion_map` are left unchanged
 ///
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
@@ -167,7 +170,7 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
     Distortion_summary summary;
     summary.radius = radius.average();
     summary.number_of_faces = measured.size();
-    double ratios = 0., inverse_ratios = 0.; // of areas, in the unit of the first one
+    double ratios = 0., inverse_ratios = 0.; // of areas, in units of the first ratio
     int exponent = 0;
     auto face = measured.begin();
     for(const auto f : faces(tmesh))
@@ -208,7 +211,7 @@ Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// measures how much a map to the sphere distorts the faces of a mesh, all together, as the function above.
+/// measures the distortion of a map to the sphere in total, like the function above.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code measure_distortion(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -13,7 +13,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_REPAIR_H
 
 /// \file Spherical_parameterization/repair.h
-/// Convenience header file that includes what repairs a surface that cannot be mapped yet: filling holes and finding handles.
+/// Convenience header file that includes the functions that repair surfaces: filling holes, finding handles, and making
+/// a surface of genus 0.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

@@ -39,32 +39,33 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// rounds a map to the sphere to coordinates that are numbers of type `float`, as many files hold them, such that it stays
-/// one-to-one. Where rounding to the nearest numbers folds a face, its vertices, and if need be those around, go to other
-/// numbers nearby: by up to two units in the last place of the largest coordinate where a face is a needle, and further
-/// where many vertices lie within a few of these units. What is written has been certified by exact predicates, as by
-/// `is_bijective()`.
+/// rounds a bijective map to the sphere to single precision and preserves its injectivity.
 ///
-/// All points stay at their distance from the origin, but for a few units in the last place.
+/// Many file formats store coordinates of type `float`. Where rounding to the nearest values inverts a face, its
+/// vertices, and if necessary those around it, are rounded to other values nearby. They move by up to two units in the
+/// last place of the largest coordinate if a face is a needle, and further if many vertices lie within a few of these
+/// units. The distance of each point from the origin is preserved up to a few units in the last place. Exact predicates
+/// certify the result before it is written, as in `is_bijective()`.
 ///
-/// The running time is linear in the number of faces. It is that of `is_bijective()` twice if no face folds, and grows with
-/// the number of vertices that have to be moved.
+/// The running time is linear in the number of faces. It is twice that of `is_bijective()` if no face is inverted, and
+/// grows with the number of vertices that have to be moved.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal
-///         kernel; coordinates of an exact number type are rounded to type `double` first
+/// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a
+///         \cgal kernel; coordinates of an exact number type are rounded to type `double` first
 /// \tparam VertexFloatMap a model of `WritablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal
-///         kernel, whose coordinates are of type `float`, or of another type that holds such numbers
+///         kernel, whose coordinates are of type `float`, or of another type that can represent such numbers
 ///
 /// \param tmesh a closed triangle mesh
-/// \param vertex_sphere_map the images of its vertices, a one-to-one map
-/// \param vertex_float_map receives the images with rounded coordinates; it may be the same map
+/// \param vertex_sphere_map the images of its vertices, a bijective map
+/// \param vertex_float_map receives the images with rounded coordinates; it may be the same property map
 ///
-/// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if the map that is given is not one-to-one; `ERROR_OUT_OF_FLOAT_RANGE` if an image
-///         is not between 2<sup>-126</sup> and 2<sup>127</sup> in its largest coordinate; `ERROR_INSUFFICIENT_PRECISION` if no
-///         one-to-one map with such coordinates was found, as where a large part of the surface has less room on the sphere
-///         than these numbers tell apart; or an error of the mesh. Nothing is written then.
+/// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if the given map is not bijective; `ERROR_OUT_OF_FLOAT_RANGE` if the largest
+///         coordinate of an image is not between 2<sup>-126</sup> and 2<sup>127</sup>; `ERROR_INSUFFICIENT_PRECISION`
+///         if no bijective map with such coordinates was found, for example because the image of a large part of the
+///         surface is smaller than their resolution; or an error of the mesh. Nothing is written unless `OK` is
+///         returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::is_bijective()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,

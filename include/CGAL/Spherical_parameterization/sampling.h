@@ -13,8 +13,9 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SAMPLING_H
 
 /// \file Spherical_parameterization/sampling.h
-/// Convenience header file that includes what samples a surface through its sphere: domains, remeshing, transfer and resampling of
-/// properties, distances, and texture coordinates. The files of geometry images, which need a library each, are included by name.
+/// Convenience header file that includes the functions that sample a surface through its sphere: domains, remeshing,
+/// transfer and resampling of properties, distances, and texture coordinates. The headers for geometry image files each
+/// need a library and are included individually.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

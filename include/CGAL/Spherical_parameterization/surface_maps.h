@@ -13,8 +13,8 @@
 #define CGAL_SPHERICAL_PARAMETERIZATION_SURFACE_MAPS_H
 
 /// \file Spherical_parameterization/surface_maps.h
-/// Convenience header file that includes what maps a surface onto another one: `map_surface()`, alignment, the common refinement
-/// of two spheres, and distortion between surfaces.
+/// Convenience header file that includes the functions for maps between two surfaces: `map_surface()`, the alignment of
+/// spheres, the common refinement of two spheres, and the distortion between surfaces.
 
 #if !defined(DOXYGEN_RUNNING) && __cplusplus < 201703L && !(_MSVC_LANG >= 201703L)
 #error "Spherical_parameterization needs C++17: compile with -std=c++17 or newer."

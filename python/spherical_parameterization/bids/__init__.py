@@ -1,1 +1,1 @@
-"""The BIDS App: spheres, registrations and resampled surfaces and metrics of many subjects, by the command line program."""
+"""The BIDS App: computes spheres, registrations, and resampled surfaces and metrics of many subjects with the command line program."""

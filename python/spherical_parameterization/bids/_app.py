@@ -19,9 +19,9 @@ from ._inputs import Failure, find_atlas, find_subjects
 from ._work import NAME, SIGNALS, Run, process, programs, write_text
 
 EPILOG = """\
-For each hemisphere there are written, as smriprep calls them: the sphere; its registration to each atlas, by the depth of folds;
-the surfaces and metrics at the vertices of the atlas; and for each subject a page, SUB.html, and a table of the quality of all
-maps. All maps are certified to be one-to-one by exact arithmetic.
+The app writes for each hemisphere, with the file names of smriprep: the sphere; its registration to each atlas, by sulcal depth; and
+the surfaces and metrics resampled to the vertices of the atlas. For each subject it writes a page, SUB.html, and a table with the
+quality of all maps. All maps are certified bijective by exact arithmetic.
 
 examples:
   spherical_parameterization_bids $SUBJECTS_DIR out participant --atlas fsaverage=$SUBJECTS_DIR/fsaverage
@@ -29,10 +29,10 @@ examples:
     --atlas fsLR:32k=templateflow/tpl-fsLR --resume --n-cpus 2
 
 exit status:
-  0  everything is there
-  1  something has failed: a line on the standard error stream says what, and so does the page of the subject; the rest is there
-  2  the arguments are wrong, a subject is not there, or OUT is of another program or version: nothing was written
-  128 + N  signal N has ended it; the subject that was at work is as it was before
+  0  all results were written
+  1  a step failed: the standard error stream and the page of the subject report it; all other results were written
+  2  the arguments are wrong, a subject does not exist, or OUT belongs to another program or version: nothing was written
+  128 + N  signal N ended the app; the subject in progress is unchanged
 """
 
 
@@ -44,39 +44,39 @@ def _read_arguments(arguments: Optional[Sequence[str]]) -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     add = parser.add_argument
-    add("study", metavar="BIDS_OR_DERIVATIVES", help="a subjects folder of FreeSurfer, derivatives of smriprep or fMRIPrep, or a dataset with either")
-    add("output", metavar="OUT", help="the folder of the results, a dataset of its own; made if it is not there")
+    add("study", metavar="BIDS_OR_DERIVATIVES", help="a subjects directory of FreeSurfer, derivatives of smriprep or fMRIPrep, or a dataset that contains either")
+    add("output", metavar="OUT", help="the output folder, a separate dataset; created if it does not exist")
     add("level", choices=["participant"], help="the only level of analysis")
     add("--participant-label", "--participant_label", nargs="+", metavar="LABEL", help="the subjects, with or without sub-; all by default")
     add("--session-label", "--session_label", nargs="+", metavar="LABEL", help="the sessions, with or without ses-; all by default")
     add("--hemi", nargs="+", choices=["L", "R"], default=["L", "R"], help="the hemispheres; both by default")
-    add("--atlas", action="append", default=[], metavar="NAME[:DENSITY]=FOLDER", help="an atlas: a folder with sphere and sulcal depth of each hemisphere, as FreeSurfer, TemplateFlow or the HCP name them; NAME is its space, such as fsaverage or fsLR, and DENSITY, such as 32k, chooses one of several; any number of times")
-    add("--metrics", nargs="*", default=["thickness", "curv", "sulc"], metavar="NAME", help="values that are resampled, as far as a subject has them; by default thickness, curv and sulc")
-    add("--fslr-desc", choices=["reg", "msmsulc"], default="reg", help="how the registration to fsLR is called; msmsulc is for programs that look for a result of MSM, which it is not")
-    add("--resume", action="store_true", help="leave out subjects whose results are there, of these inputs, options and this version")
-    add("--skip-bids-validation", "--skip_bids_validation", action="store_true", help="nothing is validated; for launchers that always say so")
+    add("--atlas", action="append", default=[], metavar="NAME[:DENSITY]=FOLDER", help="an atlas: a folder with the sphere and the sulcal depth of each hemisphere, with the file names of FreeSurfer, TemplateFlow or the HCP; NAME is its space, such as fsaverage or fsLR, and DENSITY, such as 32k, selects one of several; may be repeated")
+    add("--metrics", nargs="*", default=["thickness", "curv", "sulc"], metavar="NAME", help="metrics to resample, if the subject has them; by default thickness, curv and sulc")
+    add("--fslr-desc", choices=["reg", "msmsulc"], default="reg", help="name of the registration to fsLR; msmsulc is for programs that look for a result of MSM, although it is not one")
+    add("--resume", action="store_true", help="skip subjects whose results exist and were computed from the same inputs with the same options and version")
+    add("--skip-bids-validation", "--skip_bids_validation", action="store_true", help="has no effect, as nothing is validated; accepted for launchers that always pass it")
     add("--n-cpus", "--n_cpus", "--nthreads", type=int, default=os.cpu_count() or 1, metavar="N", help="the number of threads; all cores by default")
     add("--version", action="version", version=f"{NAME} {__version__}")
     result = parser.parse_args(arguments)
     if result.n_cpus < 1:
-        parser.error(f"--n-cpus has to be 1 or more, not {result.n_cpus}")
+        parser.error(f"--n-cpus must be 1 or more, not {result.n_cpus}")
     for text in result.atlas:
         if not re.fullmatch(r"[^=:]+(:[^=:]+)?=.+", text, re.DOTALL):
-            parser.error(f"--atlas has to be NAME=FOLDER or NAME:DENSITY=FOLDER, not '{text}'")
+            parser.error(f"--atlas must be NAME=FOLDER or NAME:DENSITY=FOLDER, not '{text}'")
     for name in ("study", "output"):
         if not getattr(result, name):
             parser.error(f"{'BIDS_OR_DERIVATIVES' if name == 'study' else 'OUT'} is empty")
         setattr(result, name, Path(getattr(result, name)))
     if os.path.realpath(result.study) == os.path.realpath(result.output):
-        parser.error("OUT is the folder of the surfaces: the results are a dataset of their own")
+        parser.error("OUT is the folder of the surfaces: choose another folder for the results")
     return result
 
 
 def _describe(output: Path, study: Path, version: str) -> None:
-    """Writes the description of the dataset, or checks that the one that is there is of this version."""
+    """Writes the description of the dataset, or checks that an existing one is of this version."""
     path = output / "dataset_description.json"
     generator: Dict[str, Any] = {"Name": NAME, "Version": __version__, "Description": version}
-    if "SPHERICAL_PARAMETERIZATION_IMAGE" in os.environ:  # which the container sets
+    if "SPHERICAL_PARAMETERIZATION_IMAGE" in os.environ:  # set by the container
         generator["Container"] = {"Type": "docker", "Tag": os.environ["SPHERICAL_PARAMETERIZATION_IMAGE"]}
     description = {
         "Name": "Spheres, registrations and resampled surfaces of cortical hemispheres",
@@ -92,18 +92,18 @@ def _describe(output: Path, study: Path, version: str) -> None:
         except (ValueError, AttributeError, TypeError):
             raise Failure(f"{path} is damaged: choose another output folder") from None
         if not own:
-            raise Failure(f"{output} is a dataset of another program, as {path.name} says: choose another output folder")
+            raise Failure(f"{output} is a dataset of another program according to {path.name}: choose another output folder")
         if own[0].get("Description") != version:
-            raise Failure(f"{output} is of another version, {own[0].get('Description')}; this is {version}: choose another output folder")
+            raise Failure(f"{output} was written by another version, {own[0].get('Description')}; this is {version}: choose another output folder")
         return
-    # What validators do not know
+    # Files that validators do not know
     if not (output / ".bidsignore").exists():
         write_text(output / ".bidsignore", "*.html\n**/figures/\n*_surfaces.json\n*_surfaces.tsv\n")
     write_text(path, json.dumps(description, indent=2) + "\n")
 
 
 def _say(text: str, stream: TextIO) -> None:
-    """Prints a line. Whoever reads it may have gone: that is no reason to leave the other subjects."""
+    """Prints a line. A closed stream does not end the run."""
     try:
         print(text.encode(errors="backslashreplace").decode(), file=stream, flush=True)
     except OSError:
@@ -112,7 +112,7 @@ def _say(text: str, stream: TextIO) -> None:
 
 
 def _end_programs_by(number: int, frame: Any) -> NoReturn:
-    """What a signal does: the programs at work end, and this one without their results."""
+    """Handles a signal: ends the running programs, and this one without their results."""
     for other in SIGNALS:
         signal.signal(other, signal.SIG_IGN)
     programs.end()
@@ -144,27 +144,27 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     run = Run(program, version, options.output, hemispheres, atlases, options.metrics, options.fslr_desc, options.n_cpus)
     for metric in absent:
         _say(f"{NAME}: no subject has the metric {metric}", sys.stderr)
-    n_failed = n_left_out = 0
+    n_failed = n_skipped = 0
     for k, subject in enumerate(subjects, 1):
-        is_new, made = process(subject, run, options.resume)
-        state = "failed" if made.failures else "done" if is_new else "left out, as its results are there"
+        is_new, result = process(subject, run, options.resume)
+        state = "failed" if result.failures else "done" if is_new else "skipped, its results are up to date"
         _say(f"[{k}/{len(subjects)}] {subject.stem}: {state}", sys.stdout)
-        for text in made.failures:
+        for text in result.failures:
             _say(f"{NAME}: {subject.stem}: {text}", sys.stderr)
-        for row in made.rows:
+        for row in result.rows:
             if row.get("certain") is False:
-                where = f"hemisphere {row['hemisphere']}: the registration to {row['map']}"
-                _say(f"{NAME}: {subject.stem}: {where} is not certain, look at it", sys.stderr)
-        n_failed += bool(made.failures)
-        n_left_out += not is_new
-    _say(f"Done {len(subjects) - n_failed - n_left_out}, left out {n_left_out}, failed {n_failed}", sys.stdout)
+                registration = f"hemisphere {row['hemisphere']}: the registration to {row['map']}"
+                _say(f"{NAME}: {subject.stem}: {registration} is uncertain: inspect it", sys.stderr)
+        n_failed += bool(result.failures)
+        n_skipped += not is_new
+    _say(f"Done {len(subjects) - n_failed - n_skipped}, skipped {n_skipped}, failed {n_failed}", sys.stdout)
     return 1 if n_failed else 0
 
 
 def run() -> NoReturn:
-    """What the command calls."""
+    """Entry point of the command."""
 
     for number in SIGNALS:
-        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup has set it
+        if signal.getsignal(number) != signal.SIG_IGN:  # set by nohup
             signal.signal(number, _end_programs_by)
     sys.exit(main())

@@ -12,12 +12,12 @@ SURFACES = ("white", "pial", "midthickness")
 
 
 class Failure(Exception):
-    """What is wrong with a subject or an atlas, for its user to read."""
+    """An error in a subject, an atlas or an output, with a message for the user."""
 
 
 @dataclass
 class Hemisphere:
-    """The files of a hemisphere. Without a white surface, there is nothing to work on."""
+    """The files of a hemisphere. A hemisphere without a white surface is an error."""
 
     name: str  # L or R
     surfaces: Dict[str, Path] = field(default_factory=dict)
@@ -25,7 +25,7 @@ class Hemisphere:
     cortex: Optional[Path] = None
 
     def files(self) -> Dict[str, Path]:
-        """All of them by what they are."""
+        """Returns all files by their kind."""
         return {**self.surfaces, **self.metrics, **({"cortex": self.cortex} if self.cortex else {})}
 
 
@@ -37,22 +37,22 @@ class Subject:
     session: Optional[str]
     folder: Path
     hemispheres: Dict[str, Hemisphere]
-    faults: List[str] = field(default_factory=list)  # that keep it from being mapped
+    defects: List[str] = field(default_factory=list)  # reported as failures
 
     @property
     def stem(self) -> str:
-        """What the names of its files begin with."""
+        """The prefix of its file names."""
         return f"sub-{self.label}" + (f"_ses-{self.session}" if self.session else "")
 
     @property
-    def place(self) -> Path:
-        """The folder of its files, below that of a dataset."""
+    def anat(self) -> Path:
+        """The folder of its files, relative to the dataset."""
         return Path(f"sub-{self.label}", *([f"ses-{self.session}"] if self.session else []), "anat")
 
 
 @dataclass
 class Atlas:
-    """A sphere with the depth of its folds, for each hemisphere."""
+    """A sphere with sulcal depth, for each hemisphere."""
 
     name: str
     spheres: Dict[str, Path]
@@ -60,7 +60,7 @@ class Atlas:
 
 
 def _names(folder: Path) -> List[str]:
-    """The names of what is in a folder; none if it is not there or cannot be read, as of a subject without files."""
+    """The names in a folder; none if the folder does not exist or cannot be read, as for a subject without files."""
     try:
         return sorted(os.listdir(folder))
     except OSError:
@@ -84,7 +84,7 @@ def _of_freesurfer(folder: Path) -> Subject:
                 continue
             kind, path = found[len(of_hemi) :], folder / "surf" / found
             if not os.path.isfile(path):
-                continue  # a link that leads nowhere
+                continue  # a broken link
             if kind in SURFACES or kind == "graymid":
                 hemisphere.surfaces[kind if kind in SURFACES else "midthickness"] = path
             elif kind in ("sulc", "curv", "thickness", "area", "volume") or kind.endswith((".mgh", ".mgz")):
@@ -95,26 +95,26 @@ def _of_freesurfer(folder: Path) -> Subject:
 
 
 def _of_derivatives(folder: Path, session: Optional[str]) -> Subject:
-    place = folder / (f"ses-{session}" if session else "") / "anat"
+    anat = folder / (f"ses-{session}" if session else "") / "anat"
     hemispheres = {hemi: Hemisphere(hemi) for hemi in "LR"}
     subject = Subject(folder.name[4:], session, folder, hemispheres)
-    # Entities other than these are of other spaces and versions.
+    # Other entities denote other spaces and versions.
     pattern = re.compile(
         r"sub-[^_]+(?:_(?:ses|acq|rec|run)-[^_]+)*_hemi-([LR])(_desc-cortex)?_([A-Za-z]+)\.(surf|shape|label)\.gii"
     )
-    for name in _names(place):
+    for name in _names(anat):
         match = pattern.fullmatch(name)
-        if not match or not os.path.isfile(place / name):
+        if not match or not os.path.isfile(anat / name):
             continue
         hemi, cortex, kind, form = match.groups()
         hemisphere = hemispheres[hemi]
         into = hemisphere.surfaces if form == "surf" and kind in SURFACES else hemisphere.metrics if form == "shape" else {}
         if cortex:
-            hemisphere.cortex = place / name if kind == "mask" else hemisphere.cortex
+            hemisphere.cortex = anat / name if kind == "mask" else hemisphere.cortex
             continue
         if kind in into:
-            subject.faults.append(f"{place} has several files of a kind: {into[kind].name} and {name}")
-        into[kind] = place / name
+            subject.defects.append(f"{anat} has several files of the same kind: {into[kind].name} and {name}")
+        into[kind] = anat / name
     return subject
 
 
@@ -133,33 +133,33 @@ def _subjects_in(folder: Path) -> Iterator[Subject]:
         elif name.startswith("sub-"):
             own = _of_derivatives(path, None)
             sessions = [_of_derivatives(path, inner[4:]) for inner in _names(path) if inner.startswith("ses-")]
-            # fMRIPrep has folders of sessions without surfaces beside the surfaces of the subject.
+            # fMRIPrep writes session folders without surfaces next to the surfaces of the subject.
             with_surfaces = [subject for subject in (own, *sessions) if _has_white(subject)]
             yield from with_surfaces or [subject for subject in sessions if (path / f"ses-{subject.session}/anat").is_dir()] or [own]
 
 
 def _below(folder: Path) -> List[Subject]:
-    """The subjects of a folder, or of the one below `derivatives` or `sourcedata` that has surfaces."""
+    """The subjects of a folder, or of the only folder below `derivatives` or `sourcedata` that has surfaces."""
     found = list(_subjects_in(folder))
     if any(map(_has_white, found)):
         return found
     inner = [folder / part / name for part in ("derivatives", "sourcedata") for name in _names(folder / part)]
     having = {path: subjects for path in inner for subjects in [list(_subjects_in(path))] if any(map(_has_white, subjects))}
     if len(having) > 1:
-        raise Failure(f"{folder} has several folders with surfaces: name one of {', '.join(map(str, having))}")
+        raise Failure(f"{folder} has several folders with surfaces: give one of {', '.join(map(str, having))}")
     return next(iter(having.values()), found)
 
 
 def find_subjects(
     folder: Path, labels: Optional[Sequence[str]], sessions: Optional[Sequence[str]], atlases: Sequence[Path]
 ) -> List[Subject]:
-    """Finds the subjects of a subjects folder of FreeSurfer, of derivatives, or of a dataset that has either below it.
+    """Finds the subjects of a subjects directory of FreeSurfer, of derivatives, or of a dataset that contains either.
 
-    `labels` and `sessions` name those that are wanted, with or without ``sub-`` and ``ses-``, or by their folders. A folder that is
-    an atlas is no subject.
+    `labels` and `sessions` select subjects, with or without ``sub-`` and ``ses-``, or by folder. The folder of an atlas is not a
+    subject.
     """
     if not folder.is_dir():
-        raise Failure(f"{folder} is no folder")
+        raise Failure(f"{folder} is not a folder")
     folders_of_atlases = {os.path.realpath(path) for path in atlases}
     found = [subject for subject in _below(folder) if os.path.realpath(subject.folder) not in folders_of_atlases]
     if not found:
@@ -167,15 +167,15 @@ def find_subjects(
     if labels is not None:
         names = {label: label[4:] if label.startswith("sub-") else label for label in labels}
         unknown = []
-        wanted = []
+        selected = []
         for label, name in names.items():
             of_label = [s for s in found if label == s.folder.name or name in (s.label, s.folder.name, s.stem[4:])]
             unknown += [] if of_label else [label]
-            wanted += [subject for subject in of_label if subject not in wanted]
+            selected += [subject for subject in of_label if subject not in selected]
         if unknown:
             known = ", ".join(sorted({subject.label for subject in found})[:20])
-            raise Failure(f"{folder} has no subject {' or '.join(map(repr, unknown))}; there are {known}")
-        found = wanted
+            raise Failure(f"{folder} has no subject {' or '.join(map(repr, unknown))}; it has {known}")
+        found = selected
     if sessions is not None:
         names_of_sessions = [session[4:] if session.startswith("ses-") else session for session in sessions]
         found = [subject for subject in found if subject.session in names_of_sessions]
@@ -183,9 +183,9 @@ def find_subjects(
             raise Failure(f"{folder} has no subject with the session {' or '.join(sessions)}")
     for subject in found:
         if any(not re.fullmatch("[0-9A-Za-z]+", part) for part in (subject.label, subject.session or "0")):
-            raise Failure(f"{subject.folder}: labels of subjects and sessions are of letters and digits in BIDS")
+            raise Failure(f"{subject.folder}: in BIDS, labels of subjects and sessions consist of letters and digits")
         if sum(other.stem == subject.stem for other in found) > 1:
-            raise Failure(f"{folder} has several subjects that would be called {subject.stem}")
+            raise Failure(f"{folder} has several subjects with the name {subject.stem}")
     return found
 
 
@@ -195,13 +195,13 @@ def _density(name: str) -> Optional[str]:
 
 
 def _is_file(path: Path) -> bool:
-    return os.path.isfile(path) and os.path.getsize(path) > 0  # DataLad and TemplateFlow have empty ones until they are fetched
+    return os.path.isfile(path) and os.path.getsize(path) > 0  # DataLad and TemplateFlow have empty files before a download
 
 
 def find_atlas(name: str, density: Optional[str], folder: Path, hemispheres: Sequence[str]) -> Atlas:
-    """Finds the spheres and the depths of an atlas in a folder, as FreeSurfer, TemplateFlow or the HCP name them."""
+    """Finds the spheres and sulcal depths of an atlas in a folder, by the file names of FreeSurfer, TemplateFlow or the HCP."""
     if not re.fullmatch(r"[A-Za-z0-9]+", name):
-        raise Failure(f"the atlas name '{name}' has to be of letters and digits, such as fsaverage or fsLR")
+        raise Failure(f"the atlas name '{name}' must consist of letters and digits, as fsaverage and fsLR")
     atlas = Atlas(name, {}, {})
     for hemi in hemispheres:
         h = hemi.lower() + "h"
@@ -215,25 +215,25 @@ def find_atlas(name: str, density: Optional[str], folder: Path, hemispheres: Seq
             names = [n for n in _names(folder) if of_hemi.search(n) and "_space-" not in n and _is_file(folder / n)]
             if density:
                 names = [found for found in names if _density(found) == density]
-            spheres_there = [n for n in names if re.search(r"(sphere|spherical_std).*\.surf\.gii(\.gz)?$", n)]
-            # TemplateFlow's desc-std is what its metrics belong to.
-            spheres_there = [n for n in spheres_there if "desc-std" in n] or spheres_there
+            candidates = [n for n in names if re.search(r"(sphere|spherical_std).*\.surf\.gii(\.gz)?$", n)]
+            # The metrics of TemplateFlow belong to its sphere desc-std.
+            candidates = [n for n in candidates if "desc-std" in n] or candidates
             pairs = [
                 (sphere, depth)
-                for sphere in spheres_there
+                for sphere in candidates
                 for depth in names
                 if re.search(r"sulc.*\.(shape|func)\.gii(\.gz)?$", depth) and _density(sphere) == _density(depth)
             ]
             if not pairs:
                 raise Failure(
-                    f"{folder} is no atlas: it has no sphere and sulcal depth of hemisphere {hemi}"
+                    f"{folder} is not an atlas: it has no sphere and sulcal depth of hemisphere {hemi}"
                     + (f" and density {density}" if density else "")
                     + f", such as surf/{h}.sphere and surf/{h}.sulc, or tpl-{name}_hemi-{hemi}_den-32k_sphere.surf.gii and"
-                    " ..._sulc.shape.gii, that are no empty files"
+                    " ..._sulc.shape.gii, as non-empty files"
                 )
             if len(pairs) > 1:
                 raise Failure(
-                    f"{folder} has several spheres and depths of hemisphere {hemi}: name a density, as in"
+                    f"{folder} has several spheres and sulcal depths of hemisphere {hemi}: give a density, as in"
                     f" {name}:{_density(pairs[0][0]) or '32k'}={folder}; {', '.join(sorted({part for pair in pairs for part in pair}))}"
                 )
             atlas.spheres[hemi], atlas.depths[hemi] = (folder / part for part in pairs[0])

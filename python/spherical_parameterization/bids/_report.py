@@ -5,18 +5,18 @@ from __future__ import annotations
 import html
 from typing import Any, Dict, List, Sequence
 
-# The columns: key, title, what it is
+# The columns: key, title, description
 COLUMNS = (
     ("hemisphere", "Hemisphere", ""),
     ("map", "Map", "to the sphere, or to an atlas"),
     ("vertices", "Vertices", "of the white surface"),
-    ("one_to_one", "One-to-one", "certified by exact arithmetic"),
-    ("D_iso_average", "D_iso, average", "isometric distortion of faces, 1 at best; for atlases, that between surface and atlas"),
-    ("D_iso_maximum", "D_iso, maximum", "that of the worst face"),
-    ("D_area_average", "D_area, average", "distortion of areas, 2 at best"),
-    ("D_angle_average", "D_angle, average", "distortion of angles, 2 at best"),
-    ("agreement", "Agreement", "correlation of the depths of folds with those of the atlas, 1 at best"),
-    ("certain", "Certain", "no if another alignment is as good, or the depths agree too little: look at it"),
+    ("one_to_one", "Bijective", "certified by exact arithmetic"),
+    ("D_iso_average", "D_iso, average", "isometric distortion of faces, at least 1; for an atlas, between surface and atlas"),
+    ("D_iso_maximum", "D_iso, maximum", "of the worst face"),
+    ("D_area_average", "D_area, average", "area distortion, at least 2"),
+    ("D_angle_average", "D_angle, average", "angle distortion, at least 2"),
+    ("agreement", "Agreement", "correlation of the sulcal depths with those of the atlas, at most 1"),
+    ("certain", "Certain", "no if the alignment is ambiguous, or the sulcal depths correlate too little: inspect such a registration"),
     ("seconds", "Seconds", "of computing time"),
 )
 
@@ -38,7 +38,7 @@ SCRIPT = """document.querySelectorAll("th button").forEach((button) => button.ad
 
 def as_text(value: Any) -> str:
     if value is None:
-        return "n/a"  # as tables of BIDS have it
+        return "n/a"  # as in the tables of BIDS
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.4g}" if isinstance(value, float) else str(value)
@@ -52,23 +52,23 @@ def make_table(rows: Sequence[Dict[str, Any]]) -> str:
 
 
 def make_page(title: str, program: str, rows: Sequence[Dict[str, Any]], failures: Sequence[str], pages: Dict[str, str]) -> str:
-    """Returns the page of a subject: what has failed, the table, and links to the pages of its surfaces."""
+    """Returns the page of a subject: failures, the table, and links to the pages of its surfaces."""
 
     def cell(key: str, value: Any) -> str:
         text = as_text(value)
         wrong = key in ("one_to_one", "certain") and value is False
         return f'<td data-value="{html.escape(text)}"{" class=wrong" if wrong else ""}>{html.escape(text)}</td>'
 
-    heads = "".join(f'<th scope="col"><button type="button" title="{html.escape(what)}">{name}</button></th>' for _, name, what in COLUMNS)
+    heads = "".join(f'<th scope="col"><button type="button" title="{html.escape(text)}">{name}</button></th>' for _, name, text in COLUMNS)
     body = "\n".join("<tr>" + "".join(cell(key, row.get(key)) for key, _, _ in COLUMNS) + "</tr>" for row in rows)
     parts: List[str] = [f"<h1>{html.escape(title)}</h1>"]
     if failures:
         items = "".join(f"<li>{html.escape(text)}</li>" for text in failures)
-        parts.append(f'<h2>What has failed</h2><ul class="wrong">{items}</ul>')
+        parts.append(f'<h2>Failures</h2><ul class="wrong">{items}</ul>')
     if rows:
         parts.append(f'<div class="table"><table><thead><tr>{heads}</tr></thead><tbody>\n{body}\n</tbody></table></div>')
-        parts.append("<p>A click on a head sorts the table.</p><dl>")
-        parts += [f"<dt>{name}</dt><dd>{what}</dd>" for _, name, what in COLUMNS if what]
+        parts.append("<p>Click on a column header to sort the table.</p><dl>")
+        parts += [f"<dt>{name}</dt><dd>{text}</dd>" for _, name, text in COLUMNS if text]
         parts.append("</dl>")
     if pages:
         links = "".join(f'<li><a href="{html.escape(path)}">{html.escape(name)}</a></li>' for name, path in pages.items())

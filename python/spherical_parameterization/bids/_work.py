@@ -1,4 +1,4 @@
-"""Makes the files of a subject."""
+"""Computes the files of a subject."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NAME = "spherical_parameterization_bids"
 SIGNALS = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
 
 class Programs:
-    """The programs at work, which a signal ends; none is started after that."""
+    """The running programs. A signal ends them, and no others start after that."""
 
     def __init__(self) -> None:
         self._running: Set[subprocess.Popen[bytes]] = set()
@@ -33,7 +33,7 @@ class Programs:
         self._is_ended = False
 
     def run(self, command: Sequence[str]) -> Tuple[int, str]:
-        """Returns the exit status, and what the program says on the standard error stream."""
+        """Returns the exit status and the standard error stream of the program."""
         with self._lock:
             if self._is_ended:
                 raise Failure("interrupted")
@@ -41,15 +41,15 @@ class Programs:
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True
             )
             self._running.add(process)
-        said = process.communicate()[1].decode(errors="replace")
+        messages = process.communicate()[1].decode(errors="replace")
         with self._lock:
             self._running.discard(process)
             if self._is_ended:
                 raise Failure("interrupted")
-        return process.returncode, said
+        return process.returncode, messages
 
     def end(self) -> None:
-        """May be called by a signal, as the main thread starts no programs itself."""
+        """May be called by a signal handler, as the main thread starts no programs."""
         with self._lock:
             self._is_ended = True
             for process in self._running:
@@ -61,7 +61,7 @@ programs = Programs()
 
 @dataclass
 class Run:
-    """What is the same for all subjects."""
+    """The settings for all subjects."""
 
     program: str
     version: str
@@ -74,27 +74,27 @@ class Run:
     densities: Dict[Path, str] = field(default_factory=dict)
 
     def call(self, *arguments: Any) -> None:
-        """Runs the program; what it says of an error is a Failure."""
+        """Runs the program; its error message becomes a Failure."""
         command = [self.program, *map(str, arguments), "--quiet"]
         try:
-            status, said = programs.run(command)
+            status, messages = programs.run(command)
         except OSError as error:
             raise Failure(f"{self.program} cannot be run: {error.strerror}") from error
         if status < 0:
-            raise Failure(f"{self.program} was ended by signal {-status}; signal 9 often means that memory was short")
+            raise Failure(f"{self.program} was ended by signal {-status}; signal 9 often means insufficient memory")
         if status:
-            raise Failure(" ".join(said.split()) or f"{self.program} has ended with the status {status}")
+            raise Failure(" ".join(messages.split()) or f"{self.program} ended with the exit status {status}")
 
     def density_of(self, sphere: Path) -> str:
-        """How the names of files call the density of an atlas, such as 164k."""
+        """The density of an atlas in file names, such as 164k."""
         if sphere not in self.densities:
             self.densities[sphere] = f"{round(len(read_mesh(sphere)[0]) / 1000)}k"
         return self.densities[sphere]
 
 
 @dataclass
-class Made:
-    """What has been made of a subject: files by their paths in the dataset, rows of the table, and what has failed."""
+class Result:
+    """The results for a subject: files by their paths in the dataset, rows of the table, links, and failures."""
 
     files: Dict[str, Path] = field(default_factory=dict)
     rows: List[Dict[str, Any]] = field(default_factory=list)
@@ -108,7 +108,7 @@ def stamp_of(path: Path) -> List[int]:
 
 
 def read_report(path: Path) -> Dict[str, Any]:
-    """Returns a report of the program, which has come to its end: one that was sent a signal writes what it has."""
+    """Returns a report of the program. After a signal, the program writes an incomplete result, which is a Failure."""
     report: Dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     if "interrupted" in (report["stop_reason"], report.get("match", {}).get("stop_reason")):
         raise Failure("the program was interrupted by a signal")
@@ -124,9 +124,9 @@ def digest_of(path: Path) -> str:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Writes a file that appears under its name when it is complete."""
+    """Writes a file, which appears under its name when it is complete."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    # Processes of containers have the same numbers.
+    # Process numbers are not unique among containers.
     temporary = path.parent / f".{path.name}.{uuid.uuid4().hex}"
     try:
         temporary.write_text(text, encoding="utf-8", errors="backslashreplace")
@@ -137,14 +137,14 @@ def write_text(path: Path, text: str) -> None:
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Keeps other processes from the same subject; the system gives the lock back, however this one ends."""
+    """Locks a subject against other processes; the system releases the lock when this process ends."""
     path.parent.mkdir(parents=True, exist_ok=True)
     while True:
         with open(path, "w") as file:
             try:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except BlockingIOError as error:
-                raise Failure("another process works on it") from error
+                raise Failure("another process is working on it") from error
             try:
                 if os.fstat(file.fileno()).st_ino != path.stat().st_ino:
                     continue  # the file of a process that has just ended
@@ -158,7 +158,7 @@ def locked(path: Path) -> Iterator[None]:
 
 
 def provenance_of(subject: Subject, run: Run) -> Dict[str, Any]:
-    """What the results depend on, and nothing else."""
+    """Everything that the results depend on, and nothing else."""
     inputs: Dict[str, Dict[str, Any]] = {}
 
     def add(role: str, path: Path) -> None:
@@ -188,9 +188,9 @@ def _register(
 ) -> Dict[str, Any]:
     """Registers a sphere to an atlas, and returns the report.
 
-    The depths are those that the subject has, if they are of the same kind of file as those of the atlas; otherwise the program
-    measures them. FreeSurfer has a positive depth in sulci, smriprep and the HCP a negative one in GIFTI files, and other GIFTI
-    files do not say. With the wrong sign, the depths agree too little for a certain map: then the others are tried.
+    The sulcal depths are those of the subject, if they have the same kind of file as those of the atlas; otherwise the program
+    computes them. FreeSurfer has positive depths in sulci, smriprep and the HCP negative ones in GIFTI files; other GIFTI files do
+    not state the sign. With the wrong sign, the correlation is too low for a certain map, and the next candidate is tried.
     """
     depth_of_atlas = atlas.depths[hemisphere.name]
     features: List[Any] = ["height", "depth"] if _is_gifti(depth_of_atlas) else ["depth", "height"]
@@ -215,21 +215,21 @@ def _register(
 
 
 def sorted_surfaces(hemisphere: Hemisphere) -> List[Tuple[str, Path]]:
-    """The surfaces, the white one first, whose areas others need."""
+    """The surfaces, the white one first, as others need its areas."""
     return sorted(hemisphere.surfaces.items(), key=lambda pair: (pair[0] != "white", pair[0]))
 
 
-def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder: Path, threads: int) -> Made:
-    hemi, made = hemisphere.name, Made()
+def _process_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder: Path, threads: int) -> Result:
+    hemi, result = hemisphere.name, Result()
     stem = f"{subject.stem}_hemi-{hemi}"
     white = hemisphere.surfaces["white"]
 
     def add(name: str) -> Path:
-        made.files[str(subject.place / name)] = folder / name
+        result.files[str(subject.anat / name)] = folder / name
         return folder / name
 
     def add_report(of: Path, report: Dict[str, Any]) -> None:
-        for name in ("files", "crc32", "input_stamp"):  # of this folder, which is moved
+        for name in ("files", "crc32", "input_stamp"):  # refer to the temporary folder
             report.pop(name, None)
         add(of.name.replace(".surf.gii", ".json")).write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
 
@@ -241,10 +241,10 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
         report = read_report(report_path)
         add(sphere.name)
         add_report(sphere, report)
-        made.files[f"sub-{subject.label}/figures/{page}"] = folder / page
-        made.pages[f"Hemisphere {hemi}"] = f"sub-{subject.label}/figures/{page}"
+        result.files[f"sub-{subject.label}/figures/{page}"] = folder / page
+        result.pages[f"Hemisphere {hemi}"] = f"sub-{subject.label}/figures/{page}"
         distortion = report["distortion"]
-        made.rows.append(
+        result.rows.append(
             {
                 "hemisphere": hemi,
                 "map": "sphere",
@@ -264,7 +264,7 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
             add(registered.name)
             add_report(registered, report)
             match = report["match"]
-            made.rows.append(
+            result.rows.append(
                 {
                     "hemisphere": hemi,
                     "map": atlas.name,
@@ -277,13 +277,13 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
                     "seconds": report["seconds"]["total"],
                 }
             )
-            place = f"{stem}_space-{atlas.name}_den-{run.density_of(atlas.spheres[hemi])}"
+            resampled = f"{stem}_space-{atlas.name}_den-{run.density_of(atlas.spheres[hemi])}"
             spheres = (registered, atlas.spheres[hemi])
-            areas = ("--areas", white, folder / f"{place}_white.surf.gii")
+            areas = ("--areas", white, folder / f"{resampled}_white.surf.gii")
             mask = ("--mask", hemisphere.cortex) if hemisphere.cortex else ()
-            files: List[Tuple[str, Path, Sequence[Any]]] = [(f"{place}_{kind}.surf.gii", path, ()) for kind, path in sorted_surfaces(hemisphere)]
+            files: List[Tuple[str, Path, Sequence[Any]]] = [(f"{resampled}_{kind}.surf.gii", path, ()) for kind, path in sorted_surfaces(hemisphere)]
             files += [
-                (f"{place}_{metric}.shape.gii", hemisphere.metrics[metric], (*areas, *mask))
+                (f"{resampled}_{metric}.shape.gii", hemisphere.metrics[metric], (*areas, *mask))
                 for metric in run.metrics
                 if metric in hemisphere.metrics
             ]
@@ -292,34 +292,34 @@ def _make_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, folder:
                     run.call("resample", path, *spheres, "-o", folder / name, *options, "--threads", threads)
                     add(name)
                 except Failure as failure:
-                    made.failures.append(f"hemisphere {hemi}: {failure}")
+                    result.failures.append(f"hemisphere {hemi}: {failure}")
     except Failure as failure:
-        # A registration that fails leaves what does not depend on it.
-        made.failures.append(f"hemisphere {hemi}: {failure}")
-    return made
+        # If a registration fails, results that do not depend on it are kept.
+        result.failures.append(f"hemisphere {hemi}: {failure}")
+    return result
 
 
-def _make(subject: Subject, run: Run, folder: Path) -> Made:
-    result = Made(failures=list(subject.faults))
+def _process_hemispheres(subject: Subject, run: Run, folder: Path) -> Result:
+    result = Result(failures=list(subject.defects))
     present: List[Hemisphere] = []
     for hemi in run.hemispheres:
         hemisphere = subject.hemispheres[hemi]
         if "white" not in hemisphere.surfaces:
-            result.failures.append(f"hemisphere {hemi}: there is no white surface in {subject.folder}")
+            result.failures.append(f"hemisphere {hemi}: {subject.folder} has no white surface")
         else:
             present.append(hemisphere)
     n_parallel = max(1, min(len(present), run.threads))
     with ThreadPoolExecutor(n_parallel) as pool:
-        for made in pool.map(lambda h: _make_hemisphere(subject, h, run, folder, run.threads // n_parallel), present):
-            result.files.update(made.files)
-            result.rows += made.rows
-            result.pages.update(made.pages)
-            result.failures += made.failures
+        for part in pool.map(lambda h: _process_hemisphere(subject, h, run, folder, run.threads // n_parallel), present):
+            result.files.update(part.files)
+            result.rows += part.rows
+            result.pages.update(part.pages)
+            result.failures += part.failures
     return result
 
 
 def _read_state(path: Path) -> Dict[str, Any]:
-    """Returns what has been noted of earlier runs, with the checksums that each file may have."""
+    """Returns the record of earlier runs, with the possible checksums of each file."""
     if not os.path.lexists(path):
         return {"files": {}}
     try:
@@ -328,7 +328,7 @@ def _read_state(path: Path) -> Dict[str, Any]:
             return dict(state)
     except (ValueError, KeyError, TypeError, AttributeError):
         pass
-    raise Failure(f"{path} was not written by this program, or is damaged: move it away, with the other files of the subject")
+    raise Failure(f"{path} was not written by this program, or is damaged: move it and the other files of the subject to another folder")
 
 
 def _is_as_written(path: Path, digests: Sequence[str]) -> bool:
@@ -340,7 +340,7 @@ def _is_as_written(path: Path, digests: Sequence[str]) -> bool:
 
 @contextmanager
 def _without_signals() -> Iterator[None]:
-    """Holds back signals, which come when this has ended."""
+    """Blocks signals, which are delivered afterwards."""
     held = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
     try:
         yield
@@ -348,18 +348,18 @@ def _without_signals() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, held)
 
 
-def _publish(made: Made, of_run: Sequence[str], state_path: Path, provenance: Dict[str, Any], old: Dict[str, Any], output: Path) -> None:
-    """Moves files into the dataset, where none of a name may be there that this program has not written.
+def _publish(result: Result, of_run: Sequence[str], state_path: Path, provenance: Dict[str, Any], old: Dict[str, Any], output: Path) -> None:
+    """Moves files into the dataset, and refuses to replace files that this program has not written.
 
-    What has been and will be written is noted first: so whenever this ends, the next run knows its own files. Those of earlier runs
-    that are not made any more, of the hemispheres of this run, would be taken for its results, and are removed.
+    The old and new files are recorded first, so that the next run recognizes them whenever this one ends. Files of earlier runs that
+    are no longer produced, for the hemispheres of this run, could be mistaken for its results, and are removed.
     """
     known = old["files"]
-    for name in made.files:
+    for name in result.files:
         target = output / name
         if os.path.lexists(target) and not _is_as_written(target, known.get(name, ())):
-            raise Failure(f"{target} is there and was not written by this program: move it, or choose another output folder")
-    digests = {name: [digest_of(path)] for name, path in made.files.items()}
+            raise Failure(f"{target} exists and was not written by this program: move it, or choose another output folder")
+    digests = {name: [digest_of(path)] for name, path in result.files.items()}
     outdated = [
         name
         for name in known
@@ -372,16 +372,16 @@ def _publish(made: Made, of_run: Sequence[str], state_path: Path, provenance: Di
         write_text(state_path, json.dumps({**base, "complete": False, "files": both}))
         for name in outdated:
             (output / name).unlink()
-        for name, path in made.files.items():
+        for name, path in result.files.items():
             (output / name).parent.mkdir(parents=True, exist_ok=True)
             os.replace(path, output / name)
-        state = {**base, "complete": not made.failures, "made": sorted(digests), "files": {**left, **digests}}
+        state = {**base, "complete": not result.failures, "made": sorted(digests), "files": {**left, **digests}}
         write_text(state_path, json.dumps(state, indent=1) + "\n")
 
 
-def process(subject: Subject, run: Run, resumes: bool) -> Tuple[bool, Made]:
-    """Makes all files of a subject; returns whether there was something to do, and what has been made and has failed."""
-    state_path = run.output / subject.place / f"{subject.stem}_desc-provenance_surfaces.json"
+def process(subject: Subject, run: Run, resumes: bool) -> Tuple[bool, Result]:
+    """Computes all files of a subject; returns whether it was not up to date, and the results with all failures."""
+    state_path = run.output / subject.anat / f"{subject.stem}_desc-provenance_surfaces.json"
     work = run.output / f".{subject.stem}.work"
     page_name = f"{subject.stem}.html"
     try:
@@ -390,24 +390,24 @@ def process(subject: Subject, run: Run, resumes: bool) -> Tuple[bool, Made]:
             old = _read_state(state_path)
             is_done = old.get("complete") and old.get("provenance") == provenance
             if is_done and all(_is_as_written(run.output / name, old["files"].get(name, ())) for name in old.get("made", ())):
-                return False, Made()
+                return False, Result()
         with locked(run.output / f".{subject.stem}.lock"):
             old = _read_state(state_path)
-            shutil.rmtree(work, ignore_errors=True)  # of a run that was killed
+            shutil.rmtree(work, ignore_errors=True)  # from a killed run
             work.mkdir()
             try:
-                made = _make(subject, run, work)
-                write_text(work / "table.tsv", make_table(made.rows))
-                page = make_page(subject.stem, run.version, made.rows, made.failures, made.pages)
+                result = _process_hemispheres(subject, run, work)
+                write_text(work / "table.tsv", make_table(result.rows))
+                page = make_page(subject.stem, run.version, result.rows, result.failures, result.pages)
                 write_text(work / page_name, page)
-                if made.rows:
-                    made.files[str(subject.place / f"{subject.stem}_desc-quality_surfaces.tsv")] = work / "table.tsv"
-                made.files[page_name] = work / page_name
-                _publish(made, run.hemispheres, state_path, provenance, old, run.output)
-                return True, made
+                if result.rows:
+                    result.files[str(subject.anat / f"{subject.stem}_desc-quality_surfaces.tsv")] = work / "table.tsv"
+                result.files[page_name] = work / page_name
+                _publish(result, run.hemispheres, state_path, provenance, old, run.output)
+                return True, result
             finally:
                 shutil.rmtree(work, ignore_errors=True)
     except Failure as failure:
-        return True, Made(failures=[str(failure)])
+        return True, Result(failures=[str(failure)])
     except OSError as error:
-        return True, Made(failures=[f"{error.filename or run.output}: {error.strerror or error}"])
+        return True, Result(failures=[f"{error.filename or run.output}: {error.strerror or error}"])

@@ -43,7 +43,7 @@ void call(Mesh& mesh, SP::Bijective_low_distortion_parameterizer_3<>& bld)
   SP::parameterize(mesh, const_bld, sphere);                        // error: must not be const
   SP::parameterize(mesh, sphere, number_of_iterations(3.7));        // error: has to be an integer
 
-  // A compiler tells each mistake with the same types once, hence other ones.
+  // A compiler reports each mistake with the same types once, hence other ones.
   bld.parameterize(mesh, 0); // error: has to be the property map
   bld.parameterize(0, mesh); // error: The first argument has to be the mesh
 }

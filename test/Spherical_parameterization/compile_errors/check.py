@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Usage: check.py COMPILER [OPTION...]
 
-Checks that each mistake in the files of this folder is told in one sentence: that the compiler makes one error of each line
+Checks that each mistake in the files of this folder is reported in one sentence: that the compiler makes one error of each line
 with a comment "error: WORDS", which holds these words, and no other; where it says "first error: WORDS", others may follow.
 The first line of a file may give an option.
 """

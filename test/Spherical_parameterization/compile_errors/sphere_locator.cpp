@@ -1,4 +1,4 @@
-// A class tells the mistake first, and then what follows from it.
+// A class reports the mistake first, and then what follows from it.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spherical_parameterization/Sphere_locator_3.h>

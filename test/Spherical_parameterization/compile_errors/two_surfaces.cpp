@@ -1,4 +1,4 @@
-// All functions of meshes on spheres tell the mistake first, and then what follows from it.
+// All functions of meshes on spheres report the mistake first, and then what follows from it.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>

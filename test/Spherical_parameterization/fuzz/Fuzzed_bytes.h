@@ -38,7 +38,7 @@ public:
     return result;
   }
 
-  // a whole number of few digits
+  // an integer of few digits
   double small_integer() { return static_cast<double>(byte()) - 128.; }
 
   // one of those that are the first or the last of their kind

@@ -1,6 +1,6 @@
 // A fuzzer for the way from a file to a mesh in the command line program. The first byte chooses the format, the others
 // are the file. Whatever they are, they are refused with a message for a person, or are a mesh that can be mapped, or one
-// with a defect of which the library tells.
+// with a defect that the library reports.
 
 #include "Fuzzed_bytes.h"
 #include "require.h"
@@ -50,8 +50,8 @@ void check_values(Program::File_content soup)
   for(const Program::Values& values : of_faces)
     require(values.numbers.size() == soup.polygons.size(), "a property has not as many numbers as there are faces");
   Program::Input_mesh input("file", std::move(soup));
-  Program::leave_out_taken_names(of_vertices, true);
-  Program::leave_out_taken_names(of_faces, false);
+  Program::remove_reserved_names(of_vertices, true);
+  Program::remove_reserved_names(of_faces, false);
   Program::add_values(input.mesh(), of_vertices, of_faces);
 }
 

@@ -75,10 +75,9 @@ inline std::string ply_with_values(unsigned int subdivisions, const std::string&
   return ply.str();
 }
 
-// what the program says of a map between surfaces that may be wrong
+// the warning of the program about an ambiguous alignment
 constexpr const char* uncertain =
-    "it is not clear that the surfaces lie well on each other: look at the map, for example with "
-    "--page, or give --landmarks\n";
+    "the alignment of the surfaces is ambiguous: check the map, for example with --page, or give --landmarks\n";
 
 inline void expect_part(const std::string& text, const std::string& part)
 {

@@ -39,7 +39,7 @@ struct Visitor
   virtual void on_optimization_end() {}
 };
 
-// Stores what it is told, and stops when it is asked the `stop_at`th time.
+// Stores what is reported to it, and stops when it is asked the `stop_at`th time.
 struct Recorder : Visitor
 {
   explicit Recorder(std::size_t n = 0)

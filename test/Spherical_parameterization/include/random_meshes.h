@@ -413,7 +413,7 @@ constexpr std::array<const char*, 7> deformations = {
      "stretched", // by 1e-6 to 1e6 along any direction
      "sheared",
      "twisted",     // around the z-axis, by up to 30 turns
-     "spiked",      // some vertices far away from the centre
+     "spiked",      // some vertices far away from the center
      "collapsed"}}; // a region to a point or a line, or nearly so
 
 // Deforms a surface around the origin.

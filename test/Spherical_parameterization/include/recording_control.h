@@ -1,7 +1,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_RECORDING_CONTROL_H
 
-// What accompanies a run of the package's inner parts: a visitor that stores what it is told, and may say no after a number
+// What accompanies a run of the package's inner parts: a visitor that stores what is reported to it, and may say no after a number
 // of questions, no time limit, and a report.
 
 #include "standard_library.h"

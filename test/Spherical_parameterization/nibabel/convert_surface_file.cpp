@@ -37,7 +37,7 @@ const std::map<std::string, SP::Error_code (*)(std::ostream&, const Surface_file
 
 } // namespace
 
-// The arguments are a format, a file, another format and a file to be written, and so on. Prints what is to be told of each.
+// The arguments are a format, a file, another format and a file to be written, and so on. Prints the warnings of each.
 int main(int argc, char** argv)
 {
   int status = EXIT_SUCCESS;

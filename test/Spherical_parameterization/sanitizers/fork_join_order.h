@@ -10,7 +10,7 @@
 #ifndef CGAL_SPHERICAL_PARAMETERIZATION_TEST_FORK_JOIN_ORDER_H
 #define CGAL_SPHERICAL_PARAMETERIZATION_TEST_FORK_JOIN_ORDER_H
 
-// Tells the thread sanitizer what TBB guarantees: that the tasks of a loop come after what was before the loop, and before
+// Informs the thread sanitizer of what TBB guarantees: that the tasks of a loop come after what was before the loop, and before
 // what follows it. The library of TBB is not instrumented, so that the sanitizer does not see it, and would take every
 // loop for a race with what is around it. Included ahead of every file.
 

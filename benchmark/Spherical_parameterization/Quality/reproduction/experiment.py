@@ -90,7 +90,7 @@ class Experiment:
         self._row_titles.append(labels.get("what", file.name))
         return runs
 
-    def tell(self, text: str) -> None:
+    def add_text(self, text: str) -> None:
         if text:
             self.report.paragraph(text)
 

@@ -58,7 +58,7 @@ def table_1(session: Session) -> None:
         if not copies:
             session.library.notes.append(f"Table 1: {MODELS[model].title}: there is no mesh of it.")
             continue
-        experiment.tell(f"### {MODELS[model].title if model in MODELS else model}")
+        experiment.add_text(f"### {MODELS[model].title if model in MODELS else model}")
         for kind, file in copies.items():
             runs = experiment.run_methods(file, methods(session), model=model, copy=kind)
             session.comparison.append((kind, runs[PACKAGE], runs[BLD]))
@@ -149,7 +149,7 @@ def figure_1(session: Session) -> None:
         for name, settings in series.items():
             runs = [(x, experiment.run(file, options, series=name, x=f"{x:g}")) for x, options in settings]
             points[name] = [(x, run.distortion.isometric) for x, run in runs if run.has_map]
-            experiment.tell(f"*{name}*: " + _course(points[name]) if points[name] else "")
+            experiment.add_text(f"*{name}*: " + _course(points[name]) if points[name] else "")
     for image, names, label in (("figure1", (paper, newton), "last s"), ("figure1_sharpness", (dial,), "sharpness")):
         diagrams = []
         for key in ("maximum", "average"):
@@ -195,7 +195,7 @@ def figure_2(session: Session) -> None:
                     runs[rule] = run.own_distortion.isometric
             for key in ("maximum", "average") if runs else ():
                 lowest = min(runs, key=lambda rule: getattr(runs[rule], key))
-                experiment.tell(f"{file.name}, {mode}: the lowest {key} with {lowest}.")
+                experiment.add_text(f"{file.name}, {mode}: the lowest {key} with {lowest}.")
     columns = {"mode": "Optimiser", "rule": "Rule", "radius": "Radius", "own": "D_iso max / avg / dev at that radius"}
     experiment.finish(MESH | columns | {"isometric": "the same at the radius of eq. 11"} | SWEEPS | SECONDS)
 
@@ -220,7 +220,7 @@ def figure_3(session: Session) -> None:
         session.forget_maps()
     _tell_spread(experiment, by_mesh, "the package's optimiser")
     experiment.tabulate(columns)
-    experiment.tell("The same in paper mode, with its own limit of sweeps:")
+    experiment.add_text("The same in paper mode, with its own limit of sweeps:")
     names = ("fandisk",) if session.is_short else ("fandisk", "bunny", "cow")
     files = session.library.some(names, "Figure 3, paper mode")
     files += [file for file in session.library.copies("fandisk").values() if file not in files]
@@ -244,7 +244,7 @@ def _tell_spread(experiment: Experiment, by_mesh: dict[str, dict[str, Run]], opt
         (same if is_same else different).append(text)
     text = f"With {optimizer}, the starts lead to the same result on {len(same)} of {len(by_mesh)} meshes. "
     text += f"Exceptions: {listed(different)}. " if different else "There is no exception. "
-    experiment.tell(text + (f"Too few starts to tell: {listed(undecided)}." if undecided else ""))
+    experiment.add_text(text + (f"Too few starts to decide: {listed(undecided)}." if undecided else ""))
 
 
 def figure_4(session: Session) -> None:
@@ -296,10 +296,10 @@ def _compare_tessellations(
             " in the average by area"
             for what, maximum, average in others
         ]
-        experiment.tell(f"{method}, against the first mesh: {'; '.join(changes)}.")
+        experiment.add_text(f"{method}, against the first mesh: {'; '.join(changes)}.")
     caption = f"Figure {figure}: in brackets D_iso max, D_iso avg and folded faces."
     experiment.draw(caption, list(two), 3.0, has_edges=has_edges)
-    experiment.tell(
+    experiment.add_text(
         "The averages of eq. 12 are over faces, so they lean to where the faces are small; that by area does not."
     )
     columns = MESH | {"what": "Tessellation"} | SIZE | METHOD | ISOMETRIC | {"weighted": "D_iso avg by area"}
@@ -328,7 +328,7 @@ def figure_6(session: Session) -> None:
     for file in session.library.copies("cow").values() or session.library.some(("cow",), "Figure 6"):
         runs = experiment.run_methods(file, schedules, bound=last)
         ranked = sorted((run.row["isometric_maximum"], name[:3]) for name, run in runs.items() if run.has_map)
-        experiment.tell(f"{file.name}, by the maximum: {', '.join(f'{name} {number(x)}' for x, name in ranked)}.")
+        experiment.add_text(f"{file.name}, by the maximum: {', '.join(f'{name} {number(x)}' for x, name in ranked)}.")
     caption = "Figure 6: in brackets D_iso max, D_iso avg, faces above the maximum of (e), folded faces."
     experiment.draw(caption, [name.replace(", then", ",\nthen") for name in schedules], 8.0)
     experiment.finish(MESH | METHOD | ISOMETRIC | {"above": "Faces above (e)'s max"} | SWEEPS | SECONDS)
@@ -378,7 +378,7 @@ def _figure_of_methods(session: Session, figure: str, kind: str, names: tuple[st
         f"figure{figure}",
         f"Figure {figure}: the methods on {kind} models",
         "The maps of Table 1, of the copies as found where there are such. The surface on the left and the sphere on"
-        f" the right have the same colours, D_iso from 1 to {high:g}; folded faces are magenta. In brackets: D_iso"
+        f" the right have the same colors, D_iso from 1 to {high:g}; folded faces are magenta. In brackets: D_iso"
         " max, D_iso avg, the number of faces above the maximum of BLD in paper mode, the number of folded faces.",
     )
     for file in session.library.some(names[:1] if session.is_short else names, f"Figure {figure}"):
@@ -428,7 +428,7 @@ def figure_11(session: Session) -> None:
         runs = experiment.run_methods(file, two, bound=bld, measure="angle")
         if all(run.has_map for run in runs.values()):
             a, b = (run.row for run in runs.values())
-            experiment.tell(
+            experiment.add_text(
                 f"{file.name}: BLD's maximum is {number(b['angle_maximum'] / a['angle_maximum'])} times Conformal's,"
                 f" its average {number(b['angle_average'] / a['angle_average'], 4)} times; folded faces"
                 f" {a['folded_faces']:,} with Conformal, {b['folded_faces']:,} with BLD."
@@ -447,7 +447,7 @@ def yardstick(session: Session) -> None:
         "Is paper mode at its best here? Its maximum is compared with that of the package's default after convergence."
         " Three points on a great circle span a flat triangle of positive area, so the published energy lets a face lie"
         " across a great circle and stay there; the column *across* counts the faces whose plane comes closer to the"
-        " centre than a tenth of the radius.",
+        " center than a tenth of the radius.",
     )
     longer = "paper mode, more sweeps"
     for file in session.library.some(("cow",) if session.is_short else ("bunny", "fandisk", "armadillo"), "Yardstick"):
@@ -466,7 +466,7 @@ def yardstick(session: Session) -> None:
             text = f"{file.name}: paper mode's maximum is {number(maxima[BLD])}, {distance}"
             text += " of the converged default's" if excess <= CLOSE else " than the converged default's"
             text += f"; with as many sweeps as it takes {number(maxima[longer])}." if longer in maxima else "."
-            experiment.tell(text)
+            experiment.add_text(text)
     experiment.finish(MESH | METHOD | ISOMETRIC | FOLDED | {"across": "Across"} | SWEEPS | SECONDS)
 
 
@@ -496,6 +496,6 @@ def certificates(session: Session) -> None:
                 row[name] = "–" if run.exit_status == FAILED or not run.has_map else f"{folded:,} folds"
         rows.append(row)
         session.forget_maps()
-    experiment.tell(f"Certified of {len(files)}: {listed([f'{name} {count}' for name, count in counts.items()])}.")
+    experiment.add_text(f"Certified of {len(files)}: {listed([f'{name} {count}' for name, count in counts.items()])}.")
     experiment.rows = rows
     experiment.finish(MESH | {name: name for name in every}, tells_folds=False)

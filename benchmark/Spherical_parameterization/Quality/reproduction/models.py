@@ -84,7 +84,7 @@ class Library:
         return chosen
 
     def some(self, names: tuple[str, ...], figure: str) -> list[MeshFile]:
-        """The meshes of some models; if there is none, another mesh. A note tells what is missing."""
+        """The meshes of some models; if there is none, another mesh. A note lists the missing ones."""
         files = [file for file in map(self.best, names) if file is not None]
         missing = [MODELS[name].title for name in names if self.best(name) is None]
         others = [] if files else self.stand_ins(1)

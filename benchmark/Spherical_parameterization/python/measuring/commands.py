@@ -77,7 +77,7 @@ class MappingProgram:
         outcome = run_command(["/bin/sh", "-c", command], *self._limits)
         if outcome.is_timed_out:
             return Mapping("timed out", outcome.message, outcome)
-        if outcome.status < 0 or outcome.status > 128:  # so a shell tells that a signal has ended what it ran
+        if outcome.status < 0 or outcome.status > 128:  # so a shell reports that a signal has ended its command
             return Mapping("broke down", outcome.message, outcome)
         if outcome.status in (126, 127):  # of the shell
             return Mapping("not run", f"the command cannot be run: {outcome.message}", outcome)

@@ -1,4 +1,4 @@
-"""What the command lines of the drivers share, and what a report tells of the machine and the build."""
+"""What the command lines of the drivers share, and what a report contains of the machine and the build."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def describe_machine() -> str:
 
 
 def describe_build(folder: Path, target: str) -> str:
-    """How CMake has built a target in a folder: compiler, flags and TBB, as far as the folder tells."""
+    """How CMake has built a target in a folder: compiler, flags and TBB, as far as the folder shows."""
     file = folder / "CMakeCache.txt"
     if not file.is_file():
         return "unknown, as there is no CMakeCache.txt"

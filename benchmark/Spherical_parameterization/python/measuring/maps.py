@@ -56,7 +56,7 @@ class SphericalMap:
         used = np.unique(mesh.faces)
         lengths = np.linalg.norm(scaled_images, axis=1)
         if not np.all(np.isfinite(images[used])) or np.any(lengths[used] == 0.0):
-            raise MeshError("an image is not finite, or is the centre of the sphere")
+            raise MeshError("an image is not finite, or is the center of the sphere")
         self._lengths = lengths[used]
         self.own_radius = unit_of_images * float(self._lengths.mean())
         self.unit_images = scaled_images / np.where(lengths > 0.0, lengths, 1.0)[:, None]
@@ -117,7 +117,7 @@ class SphericalMap:
         return float(np.average(self.distortion().isometric_of_faces[self._is_measured], weights=areas))
 
     def number_across(self, share: float = 0.1) -> int:
-        """Counts faces whose plane comes closer to the centre than `share` of the radius.
+        """Counts faces whose plane comes closer to the center than `share` of the radius.
 
         Such a face is not large but lies across a great circle: the trap that the flat area leaves open.
         """

@@ -98,7 +98,7 @@ def read_mesh(path: Path) -> Mesh:
 
 
 def read_number_of_vertices(path: Path) -> int:
-    """From the head of a file alone, where that tells; -1 if the file cannot be read."""
+    """From the head of a file alone, where that suffices; -1 if the file cannot be read."""
     try:
         with path.open("rb") as file:
             if path.suffix.lower() == ".ply":

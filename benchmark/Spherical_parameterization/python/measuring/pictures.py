@@ -1,10 +1,10 @@
 """Pictures of maps: a surface and its image on the sphere, drawn alike wherever they are drawn.
 
-From the bottom up: what is seen at each pixel, by a depth buffer; cameras; the colours of distortions; and paint, which
+From the bottom up: what is seen at each pixel, by a depth buffer; cameras; the colors of distortions; and paint, which
 puts these together under the one light. The same meshes give the same pixels.
 
 Points of the sphere are interpolated to every pixel, so that a pattern on the sphere is drawn on the surface as sharp
-as the pixels are, however large the faces. This is what a renderer with colours at vertices cannot do.
+as the pixels are, however large the faces. This is what a renderer with colors at vertices cannot do.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ EDGE_STRENGTH = 0.75  # of black
 COLORS = ListedColormap(matplotlib.colormaps["viridis"](np.linspace(0.12, 1.0, 256)))
 FOLDED_COLOR = to_rgb("#e4006e")  # a hue that the scale does not have
 
-# Colours of faces, or a function from points of the sphere to colours
+# Colors of faces, or a function from points of the sphere to colors
 Paint = Union[np.ndarray, Callable[[np.ndarray], np.ndarray]]
 
 
@@ -70,7 +70,7 @@ def find_fragments(points: np.ndarray, faces: np.ndarray, size: int) -> Fragment
 
 
 def _covered_pixels(corners: np.ndarray, size: int):
-    """Yields face, y and x of all pixels whose centres are in faces, some at a time."""
+    """Yields face, y and x of all pixels whose centers are in faces, some at a time."""
     top = np.clip(np.ceil(corners[:, :, 1].min(axis=1) - 0.5 - TOLERANCE), 0, size).astype(int)
     bottom = np.clip(np.floor(corners[:, :, 1].max(axis=1) - 0.5 + TOLERANCE), -1, size - 1).astype(int)
     # What is seen from its side has no place that a pixel could be in; its neighbours cover the pixel.
@@ -118,7 +118,7 @@ def _expand(counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _weights(corners: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Barycentric coordinates of the centres of pixels, cut off at the sides."""
+    """Barycentric coordinates of the centers of pixels, cut off at the sides."""
     to_corners = corners[:, :, :2] - (np.stack([x, y], axis=1) + 0.5)[:, None, :]
     after, before = np.roll(to_corners, -1, axis=1), np.roll(to_corners, -2, axis=1)
     areas = after[:, :, 0] * before[:, :, 1] - after[:, :, 1] * before[:, :, 0]
@@ -187,7 +187,7 @@ class Scale:
     """Colours for a distortion: equal ratios look alike, and the order is visible on a grey print."""
 
     low: float
-    high: float  # what is above has the last colour
+    high: float  # what is above has the last color
 
     def of_faces(self, values: np.ndarray, is_folded: np.ndarray) -> np.ndarray:
         """Red, green and blue in [0, 1]; what is not finite counts as large."""
@@ -197,7 +197,7 @@ class Scale:
         return colors
 
     def add_bar(self, figure, **options):
-        """A colour bar with a tick at each doubling and at the end."""
+        """A color bar with a tick at each doubling and at the end."""
         ticks = np.append(self.low * 2.0 ** np.arange(np.ceil(np.log2(self.high / self.low))), self.high)
         bar = figure.colorbar(ScalarMappable(LogNorm(self.low, self.high), COLORS), extend="max", **options)
         bar.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
@@ -216,7 +216,7 @@ def paint(
 ) -> np.ndarray:
     """A picture, size x size x 3 numbers in [0, 1], on white.
 
-    `images` are the points of the sphere that belong to the vertices; colours that are a function need them. Edges of
+    `images` are the points of the sphere that belong to the vertices; colors that are a function need them. Edges of
     the mesh are `edge_width` pixels wide.
     """
     fine = SAMPLES * size

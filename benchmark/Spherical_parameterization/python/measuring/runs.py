@@ -55,8 +55,8 @@ class Run:
     @property
     def mapping_seconds(self) -> float:
         """Without reading, measuring and writing: from the mesh in memory to the certified map."""
-        told = self.report.get("seconds")
-        return self.seconds if told is None else sum(told[stage] for stage in STAGES.values())
+        reported = self.report.get("seconds")
+        return self.seconds if reported is None else sum(reported[stage] for stage in STAGES.values())
 
     @property
     def sweeps(self) -> int | None:
@@ -85,12 +85,12 @@ class Run:
     @cached_property
     def disagreement(self) -> float:
         """The largest relative difference between the driver's and the program's own figures of this map."""
-        told, own = self.report.get("distortion"), self.own_distortion
+        reported, own = self.report.get("distortion"), self.own_distortion
         pairs = [
-            (value, told[name][key])
+            (value, reported[name][key])
             for name, statistics in (("D_iso", own.isometric), ("D_area", own.area), ("D_angle", own.angle))
             for key, value in asdict(statistics).items()
-            if told and told[name][key] is not None
+            if reported and reported[name][key] is not None
         ]
         return max((abs(a - b) / max(1.0, abs(b)) for a, b in pairs), default=0.0)
 
@@ -184,8 +184,8 @@ class Program:
         values = {"exit_status": status, "message": message, **seconds}
         limit = {"stopped_after": self._max_seconds if outcome.is_timed_out else None}
         record.write_text(json.dumps(self._settings(mesh, arguments) | limit | {"values": values}, indent=2) + "\n")
-        told = json.loads(report.read_text()) if has_map else {}
-        return Run(mesh, arguments, report=told, sphere=sphere if has_map else None, **values)
+        reported = json.loads(report.read_text()) if has_map else {}
+        return Run(mesh, arguments, report=reported, sphere=sphere if has_map else None, **values)
 
     def _stored(self, mesh: MeshFile, arguments: tuple[str, ...], stem: Path) -> Run | None:
         sphere, report, record = (Path(f"{stem}{ending}") for ending in (".off", ".json", ".run.json"))
@@ -200,8 +200,8 @@ class Program:
         has_map = values["exit_status"] in (CERTIFIED, FOLDS)
         if has_map and not (sphere.exists() and report.exists()):
             return None
-        told = json.loads(report.read_text()) if has_map else {}
-        return Run(mesh, arguments, report=told, sphere=sphere if has_map else None, is_reused=True, **values)
+        reported = json.loads(report.read_text()) if has_map else {}
+        return Run(mesh, arguments, report=reported, sphere=sphere if has_map else None, is_reused=True, **values)
 
     def _settings(self, mesh: MeshFile, arguments: tuple[str, ...]) -> dict:
         """All that a result depends on."""

@@ -40,7 +40,7 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// Returns how many bytes a character of XML in UTF-8 has that begins here; 0 if there is none.
+// Returns the number of bytes of the XML character in UTF-8 that begins here, or 0 if the bytes are not one.
 inline std::size_t length_of_character(std::string_view text)
 {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
@@ -63,21 +63,21 @@ inline std::size_t length_of_character(std::string_view text)
   return is_short || is_no_character ? 0 : n;
 }
 
-// Returns a text as XML holds it. Bytes that it cannot hold become question marks.
+// Returns a text as an XML CDATA section. Bytes that XML does not allow become question marks.
 inline std::string xml_text(std::string_view text)
 {
   std::string result = "<![CDATA[";
   while(!text.empty())
   {
     const std::size_t n = length_of_character(text);
-    const bool is_end = text.compare(0, 3, "]]>") == 0; // which one section cannot hold
+    const bool is_end = text.compare(0, 3, "]]>") == 0; // not allowed within one section
     result += is_end ? "]]]]><![CDATA[>" : n > 0 ? text.substr(0, n) : "?";
     text.remove_prefix(is_end ? 3 : n > 0 ? n : 1);
   }
   return result + "]]>";
 }
 
-// Writes the parts of a GIFTI file into a text.
+// Writes a GIFTI file to a text.
 class Gifti_writer
 {
 public:
@@ -121,7 +121,7 @@ private:
 
   void write_labels(const std::vector<IO::Label>& labels)
   {
-    const std::string unnamed = "???"; // as Connectome Workbench says; some programs fail without
+    const std::string unnamed = "???"; // as Connectome Workbench writes; some programs reject an empty name
     m_text << "<LabelTable>\n";
     for(const IO::Label& label : labels)
       m_text << "<Label Key=\"" << label.key << "\" Red=\"" << label.color[0] << "\" Green=\"" << label.color[1]
@@ -191,26 +191,32 @@ namespace IO {
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// reads a GIFTI file \cgalCite{cgal:gifti-11} - a surface (`.surf.gii`), values of vertices (`.shape.gii`, `.func.gii`), labels
-/// (`.label.gii`), or all of them. All encodings but that in a second file are read, both orders of bytes, and numbers of all
-/// types that doubles can hold. Metadata and coordinate systems are kept; points are not transformed. An array of several columns
-/// becomes as many columns, numbered from 1. Values with node indices are sorted by these, which `vertices` receives, whether they
-/// are of all vertices or not. Numbers with the intent of labels have to be integers, of whatever type. The file may be packed
-/// by gzip (`.gii.gz`). Memory is bounded by the size of the file: what is packed may unpack to 32 MB of doubles, or to 250 times
-/// the size of the file.
+/// reads a GIFTI file \cgalCite{cgal:gifti-11} with a surface (`.surf.gii`), values at vertices (`.shape.gii`,
+/// `.func.gii`), labels (`.label.gii`), or all of them.
 ///
-/// This header needs expat and zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
+/// - All encodings are supported except external files, as are both byte orders and all number types that doubles can
+///   represent. The file may be compressed by gzip (`.gii.gz`).
+/// - Metadata and coordinate systems are kept; points are not transformed.
+/// - An array with several columns becomes as many columns, numbered from 1.
+/// - Values with node indices are sorted by index, and `vertices` receives the indices, even if they include all
+///   vertices.
+/// - Numbers with the label intent must be integers, but may be of any type.
+/// - Coordinates and values that are not finite are kept.
+///
+/// Memory is bounded by the size of the file: compressed data may unpack to at most 32 MB of doubles or 250 times the
+/// size of the file, whichever is larger.
+///
+/// This header requires expat and zlib. It is not included by `CGAL/spherical_parameterization.h`.
 ///
 /// \param in the file, in binary mode
-/// \param file receives what is in it
-/// \param message receives what is wrong with the file, where, and what helps, in one line; or, with `OK`, that its header
-///        tells of another number of arrays, empty if it does not
+/// \param file receives the contents
+/// \param message receives one line. On an error, it states the error, its location and a remedy. With `OK`, it reports
+///         a header that declares a different number of arrays; otherwise it is empty.
 ///
-/// \return `OK`, or `ERROR_INVALID_SURFACE_FILE` if the file is damaged, or of another kind; `file` is left as it was then.
-///         Coordinates and values that are not finite are kept.
+/// \return `OK`, or `ERROR_INVALID_SURFACE_FILE` if the file is damaged or has another format; `file` is then unchanged
 inline Error_code read_GIFTI(std::istream& in, Surface_file& file, std::string& message)
 {
-  return internal::read_or_tell(in, file, message, [](std::string content, Surface_file& result, std::string& text) {
+  return internal::read_or_report(in, file, message, [](std::string content, Surface_file& result, std::string& text) {
     const std::size_t file_size = content.size();
     if(internal::is_packed_by_gzip(content))
     {
@@ -223,17 +229,18 @@ inline Error_code read_GIFTI(std::istream& in, Surface_file& file, std::string& 
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// writes a GIFTI file \cgalCite{cgal:gifti-11} with all that `file` has but the first line and footer of FreeSurfer: points, rounded to
-/// numbers of 32 bits, triangles, columns, labels, metadata and coordinate systems. The data are packed and in base 64.
+/// writes a GIFTI file \cgalCite{cgal:gifti-11} with points, rounded to single precision, triangles, columns, labels,
+/// metadata and coordinate systems. The first line and the footer of FreeSurfer are not written. The data are
+/// compressed and encoded in base 64.
 ///
-/// \param out the file
-/// \param file what is written; the metadata say, for example, which part of the body a surface is of
-/// \param message receives why nothing is written, in one line; empty with `OK`
-/// \param is_packed whether the file as a whole is packed by gzip, as the name `.gii.gz` says
+/// \param out the file, in binary mode
+/// \param file the contents; the metadata state, for example, the anatomical structure of a surface
+/// \param message receives one line that states the error; empty with `OK`
+/// \param is_packed whether the whole file is compressed by gzip, as a file with the extension `.gii.gz` must be
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if a number of a column is not of its type, two labels have the same key, a colour is
-///         not finite, or `vertices` has one twice; `ERROR_OUT_OF_FLOAT_RANGE` if a
-///         number is finite but beyond 32-bit numbers; or `ERROR_CANNOT_WRITE_FILE`
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if a number does not have the type of its column, two labels have the same
+///         key, a color is not finite, or `vertices` contains a vertex twice; `ERROR_OUT_OF_FLOAT_RANGE` if a finite
+///         number is outside the range of single precision; or `ERROR_CANNOT_WRITE_FILE`
 inline Error_code write_GIFTI(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed = false)
 {
   message.clear();

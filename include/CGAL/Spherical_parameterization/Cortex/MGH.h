@@ -33,10 +33,10 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// The header of a file in the format MGH.
+// The header of an MGH file.
 struct Mgh_header
 {
-  static constexpr std::size_t size = 284; // bytes
+  static constexpr std::size_t size = 284; // in bytes
 
   enum Type : std::int32_t
   {
@@ -52,7 +52,7 @@ struct Mgh_header
     const auto version = in.read<std::int32_t>("the header");
     if(version != 1)
       throw File_error("This is no MGH file of FreeSurfer: its version is ", version, ", not 1.");
-    constexpr std::uint64_t max_number = std::uint64_t(1) << 40; // of all values
+    constexpr std::uint64_t max_number = std::uint64_t(1) << 40; // of values in total
     std::array<std::uint64_t, 4> dimensions;
     std::uint64_t n = 1;
     for(std::uint64_t& d : dimensions)
@@ -89,7 +89,7 @@ inline void read_mgh(const std::string& content, IO::Surface_file& file, std::st
   const std::size_t size = Mgh_header::size + header.size_of_data();
   if(is_packed)
   {
-    constexpr std::size_t max_footer = std::size_t(1) << 22; // bytes: parameters and commands
+    constexpr std::size_t max_footer = std::size_t(1) << 22; // in bytes, for parameters and commands
     check_unpacked_size(header.number_of_vertices * header.number_of_frames * sizeof(double), content.size());
     unpacked = unpack(content, size + max_footer, true);
     if(unpacked.size() > size + max_footer)
@@ -125,7 +125,7 @@ inline void read_mgh(const std::string& content, IO::Surface_file& file, std::st
     while(column.values.size() < header.number_of_vertices)
       column.values.push_back(read());
   }
-  constexpr std::size_t size_of_parameters = 20; // of the scan, which may be missing
+  constexpr std::size_t size_of_parameters = 20; // of the scan; may be missing
   if(in.remaining() >= size_of_parameters)
     in.read_bytes(size_of_parameters, "the parameters of the scan");
   check_footer(in);
@@ -137,35 +137,38 @@ namespace IO {
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// reads the values of vertices from a file in the format MGH of FreeSurfer, packed by gzip (`.mgz`) or not (`.mgh`). Each frame
-/// becomes a column without name. All types of numbers are read: bytes, and those of 16 and 32 bits. Memory is bounded by the size
-/// of the file: a packed file may unpack to 32 MB of doubles, or to 250 times its size.
+/// reads values at vertices from an MGH file of FreeSurfer, compressed by gzip (`.mgz`) or not (`.mgh`).
 ///
-/// This header needs zlib, and is not among those that `CGAL/spherical_parameterization.h` includes.
+/// Each frame becomes a column without a name. All number types are supported: bytes, 16-bit and 32-bit integers, and
+/// single precision. Memory is bounded by the size of the file: a compressed file may unpack to at most 32 MB of
+/// doubles or 250 times its size, whichever is larger.
+///
+/// This header requires zlib. It is not included by `CGAL/spherical_parameterization.h`.
 ///
 /// \param in the file, in binary mode
-/// \param file receives what is in it
-/// \param message receives what is wrong with the file, where, and what helps, in one line; empty if nothing is
+/// \param file receives the contents
+/// \param message receives one line that states the error, its location and a remedy; empty if there is no error
 ///
-/// \return `OK`, or `ERROR_INVALID_SURFACE_FILE` if the file is damaged, or of another kind; `file` is left as it was then
+/// \return `OK`, or `ERROR_INVALID_SURFACE_FILE` if the file is damaged or has another format; `file` is then unchanged
 inline Error_code read_MGH(std::istream& in, Surface_file& file, std::string& message)
 {
-  return internal::read_or_tell(in, file, message, internal::read_mgh);
+  return internal::read_or_report(in, file, message, internal::read_mgh);
 }
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// writes the values of vertices in the format MGH of FreeSurfer, one frame for each column: as bytes or whole numbers of 32 bits
-/// if all columns are of these types, as floating-point numbers of 32 bits otherwise.
+/// writes values at vertices as an MGH file of FreeSurfer, one frame for each column. The numbers are bytes or 32-bit
+/// integers if the types of all columns allow it, and single precision otherwise.
 ///
 /// \param out the file, in binary mode
 /// \param file the columns
-/// \param message receives why nothing is written, in one line; empty with `OK`
-/// \param is_packed whether the file is packed by gzip, as the name `.mgz` says
+/// \param message receives one line that states the error; empty with `OK`
+/// \param is_packed whether the file is compressed by gzip, as a file with the extension `.mgz` must be
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, their lengths differ or are 0, a number is not of the type of its
-///         column, or `vertices` are not those from 0 on; `ERROR_OUT_OF_FLOAT_RANGE` if a number is too large for 32 bits, or an integer beside a column of floating-point
-///         numbers would lose digits; or `ERROR_CANNOT_WRITE_FILE`
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no column, the columns are empty or of different lengths, a number
+///         does not have the type of its column, or `vertices` is neither empty nor 0, 1, 2 and so on;
+///         `ERROR_OUT_OF_FLOAT_RANGE` if a number is outside the range of single precision, or an integer that is
+///         written in single precision would lose digits; or `ERROR_CANNOT_WRITE_FILE`
 inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::string& message, bool is_packed)
 {
   message.clear();
@@ -189,10 +192,10 @@ inline Error_code write_MGH(std::ostream& out, const Surface_file& file, std::st
   using Header = internal::Mgh_header;
   internal::Byte_writer bytes;
   for(const std::size_t x : {std::size_t(1), n, std::size_t(1), std::size_t(1), file.columns.size()})
-    bytes.write(static_cast<std::int32_t>(x)); // the version and the dimensions
+    bytes.write(static_cast<std::int32_t>(x)); // version and dimensions
   bytes.write<std::int32_t>(is_byte ? Header::uint8 : is_whole ? Header::int32 : Header::float32);
   bytes.write(std::int32_t(0)); // degrees of freedom
-  bytes.write(std::int16_t(1)); // the rest holds: spacing, and FreeSurfer's usual axes
+  bytes.write(std::int16_t(1)); // the geometry is valid: spacing, and the default axes of FreeSurfer
   for(const float x : {1.f, 1.f, 1.f, -1.f, 0.f, 0.f, 0.f, 0.f, -1.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f})
     bytes.write(x);
   bytes.content.resize(Header::size);

@@ -26,73 +26,74 @@ namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// Names and values, in the order of the file, such as `AnatomicalStructurePrimary` and `CortexLeft`.
+/// Pairs of a name and a value, in the order of the file, such as `AnatomicalStructurePrimary` and `CortexLeft`.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// A system that the points of a surface can be in.
+/// A coordinate system to which the points of a surface can be transformed.
 struct Coordinate_system
 {
-  std::string data_space;        ///< what the points are in, such as `NIFTI_XFORM_UNKNOWN`
-  std::string transformed_space; ///< what the matrix leads to
-  std::array<double, 16> matrix = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; ///< row by row
+  std::string data_space;        ///< the space of the points, such as `NIFTI_XFORM_UNKNOWN`
+  std::string transformed_space; ///< the space after the transformation
+  std::array<double, 16> matrix = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; ///< the transformation, by rows
 };
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// What a file tells of where its surface is from. A surface that is made of another one, such as its sphere, inherits it.
+/// Information in a file about the origin of a surface. A surface computed from another one, such as its sphere,
+/// inherits it.
 struct Surface_origin
 {
-  Metadata metadata;                                 ///< of the file
-  Metadata metadata_of_points;                       ///< among them what part of the body the surface is of
-  Metadata metadata_of_triangles;                    ///< of the array of triangles
-  std::vector<Coordinate_system> coordinate_systems; ///< of the points
+  Metadata metadata;                                 ///< metadata of the file
+  Metadata metadata_of_points;                       ///< metadata of the points, which include the anatomical structure
+  Metadata metadata_of_triangles;                    ///< metadata of the triangles
+  std::vector<Coordinate_system> coordinate_systems; ///< coordinate systems of the points
   std::string created_by;                            ///< the first line of a FreeSurfer surface
-  std::string footer; ///< the bytes behind a FreeSurfer surface: the geometry of the volume that it is in, and commands
+  std::string footer; ///< the footer of a FreeSurfer surface: the geometry of its volume, and commands
 };
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// A number for each vertex.
+/// Values at the vertices, one number for each vertex.
 struct Vertex_values
 {
-  /// The type of the numbers.
+  /// Number types
   enum class Type
   {
-    uint8,  ///< bytes
-    int32,  ///< whole numbers, and keys of labels
-    float32 ///< fractions
+    uint8,  ///< 8-bit unsigned integers
+    int32,  ///< 32-bit integers, such as keys of labels
+    float32 ///< single precision
   };
 
-  std::string name;           ///< which may be empty, as most FreeSurfer files have none
-  std::string intent;         ///< what GIFTI files say that the numbers are, such as `NIFTI_INTENT_SHAPE`
-  Type type = Type::float32;  ///< what they are written as
-  std::vector<double> values; ///< as they are in the file, as a double can hold all of them
-  Metadata metadata;          ///< but the name
+  std::string name;           ///< may be empty, as in most FreeSurfer files
+  std::string intent;         ///< the GIFTI intent, such as `NIFTI_INTENT_SHAPE`
+  Type type = Type::float32;  ///< the number type in a file
+  std::vector<double> values; ///< the numbers; doubles represent all types exactly
+  Metadata metadata;          ///< metadata other than the name
 };
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// What a key of `Vertex_values` stands for.
+/// The meaning of a key in `Vertex_values`.
 struct Label
 {
-  std::int32_t key;            ///< in an annotation of FreeSurfer, the number of the structure
-  std::string name;            ///< empty for a colour that an annotation uses, but does not name
+  std::int32_t key;            ///< in an annotation of FreeSurfer, the structure number
+  std::string name;            ///< empty for a color that an annotation uses without naming it
   std::array<double, 4> color; ///< red, green, blue and alpha, from 0 to 1
 };
 
 /// \ingroup PkgSphericalParameterizationFiles
 ///
-/// What a file of a cortical surface holds: a surface, or values of the vertices of one, or both.
+/// Contents of a file of a cortical surface: a surface, values at its vertices, or both.
 struct Surface_file
 {
-  std::vector<std::array<double, 3>> points;           ///< in the order of the file; none in a file of values
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< by the indices of points
-  std::vector<Vertex_values> columns;                  ///< of the same length all
-  std::vector<std::uint32_t> vertices;                 ///< that the values are of; empty: those from 0 on
-  std::vector<Label> labels;                           ///< of the columns that hold keys
-  Surface_origin origin;                               ///< what else is known of the surface
+  std::vector<std::array<double, 3>> points;           ///< points in the order of the file; empty in a file of values
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices of points
+  std::vector<Vertex_values> columns;                  ///< columns, all of the same length
+  std::vector<std::uint32_t> vertices;                 ///< the vertices of the values; if empty, 0, 1, 2 and so on
+  std::vector<Label> labels;                           ///< labels of the columns that contain keys
+  Surface_origin origin;                               ///< further information about the surface
 };
 
 } // namespace CGAL::Spherical_parameterization::IO

@@ -43,16 +43,16 @@ struct Sulcal_measures
   /// Measures to compute; may be combined by `|`.
   enum Selection : unsigned int
   {
-    CURVATURE = 1,
-    DEPTH = 2,
-    INFLATED_CURVATURE = 4, ///< Needs the smoothed surface, which costs as much as `DEPTH`
-    ALL = CURVATURE | DEPTH | INFLATED_CURVATURE
+    CURVATURE = 1,          ///< `curvature`
+    DEPTH = 2,              ///< `depth`
+    INFLATED_CURVATURE = 4, ///< `inflated_curvature`, at the cost of `DEPTH`, since it needs the smoothed surface
+    ALL = 7                 ///< All of them
   };
 
-  std::vector<double> curvature; ///< Mean curvature, in units of one over that of the coordinates
-  std::vector<double> depth; ///< Distance inside of the smoothed surface, in the unit of the coordinates; 0 on average
+  std::vector<double> curvature; ///< Mean curvature, in the inverse unit of the coordinates
+  std::vector<double> depth; ///< Distance inside the smoothed surface, in the unit of the coordinates; its mean is 0
 
-  /// Mean curvature of the smoothed surface, which has only the lobes and the deepest sulci, in the same unit as `curvature`
+  /// Mean curvature of the smoothed surface, which retains only lobes and the deepest sulci, in the unit of `curvature`
   std::vector<double> inflated_curvature;
 };
 
@@ -84,7 +84,7 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, unsigned int selectio
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh a closed triangle mesh without handles
+/// \param tmesh a closed triangle mesh of genus 0
 /// \param measures receives the selected measures; the other arrays are empty afterwards
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param selection the measures to compute, a combination of `Sulcal_measures::Selection`
@@ -97,7 +97,8 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, unsigned int selectio
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; or the defect of the mesh, see `find_defect()`, or `ERROR_NON_FINITE_COORDINATE`: then `measures` is unchanged
+/// \return `OK`; an error of the mesh, see `find_defect()`; or `ERROR_NON_FINITE_COORDINATE`. On an error, `measures`
+///         is unchanged.
 ///
 /// \sa `CGAL::Spherical_parameterization::Surface_mapper_3::features()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -116,7 +117,7 @@ Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& m
     {
       if(values->empty())
         continue;
-      std::vector<double> all; // the arrays lack vertices without a face
+      std::vector<double> all; // the arrays omit vertices without a face
       auto value = values->begin();
       for(const auto v : vertices(tmesh))
         all.push_back(halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge() ? 0. : *value++);

@@ -33,7 +33,7 @@ namespace CGAL::Spherical_parameterization {
 
 namespace internal {
 
-// The same for the directions of the images, in the order of the surface.
+// The same for images of length 1, in the order of the surface.
 Error_code fit_rotation_to_surface(const Surface& surface, const std::vector<Vector_3d>& images,
                                    Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation);
 
@@ -41,10 +41,12 @@ Error_code fit_rotation_to_surface(const Surface& surface, const std::vector<Vec
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// finds the rotation by which a sphere lies as its surface does: it brings the directions of the images nearest to the
-/// directions in which the centroid of the surface sees the vertices \cgalCite{cgal:h-csaouq-87} - the sum of the squared
-/// distances is least, with a third of the area of its faces as the weight of a vertex. So the front of the sphere is the
-/// front of the surface, as programs for cortical surfaces expect, whatever a method has made of it. It is never a reflection.
+/// computes the rotation that matches a sphere to the pose of its surface.
+///
+/// The rotation minimizes the sum of the squared distances between the directions of the images and the directions from
+/// the centroid of the surface to the vertices \cgalCite{cgal:h-csaouq-87}. The weight of a vertex is a third of the
+/// area of its faces. The front of the rotated sphere then corresponds to the front of the surface, as programs for
+/// cortical surfaces expect. The result is never a reflection.
 ///
 /// The running time is linear in the number of faces.
 ///
@@ -52,9 +54,9 @@ Error_code fit_rotation_to_surface(const Surface& surface, const std::vector<Vec
 /// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh a closed triangle mesh without handles
+/// \param tmesh a closed triangle mesh of genus 0
 /// \param vertex_sphere_map the images of its vertices, at any distance from the origin
-/// \param rotation receives the rotation of the sphere
+/// \param rotation receives the rotation to apply to the sphere
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -65,9 +67,9 @@ Error_code fit_rotation_to_surface(const Surface& surface, const std::vector<Vec
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if a point is not finite;
-///         `ERROR_INVALID_DIRECTION` if an image is zero or not finite; or `ERROR_UNDETERMINED_ROTATION` if several rotations
-///         are equally good. The rotation is as it was then.
+/// \return `OK`; an error of the mesh, see `find_defect()`; `ERROR_NON_FINITE_COORDINATE` if a point is not finite;
+///         `ERROR_INVALID_DIRECTION` if an image is zero or not finite; or `ERROR_UNDETERMINED_ROTATION` if several
+///         rotations are optimal. On an error, `rotation` is unchanged.
 ///
 /// \sa `CGAL::Spherical_parameterization::fit_rotation()`
 template <class TriangleMesh, class VertexSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS>

@@ -30,24 +30,26 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The radius of the spheres of FreeSurfer and of the Connectome Workbench, which also lie as their surfaces do, see
-/// `rotate_to_surface()`, and have coordinates of type `float`, see `round_to_float()`.
+/// The radius of the spheres of FreeSurfer and Connectome Workbench. These spheres are also rotated to the pose of
+/// their surfaces, see `rotate_to_surface()`, and have single precision coordinates, see `round_to_float()`.
 constexpr double cortical_sphere_radius = 100.;
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// turns a sphere such that it lies as its surface does, see `fit_rotation_to_surface()`: the front of the sphere is the front of
-/// the surface, as programs for cortical surfaces expect. A map that was one-to-one stays so, by exact predicates.
+/// rotates a sphere to match the pose of its surface, see `fit_rotation_to_surface()`. The front of the sphere then
+/// corresponds to the front of the surface, as programs for cortical surfaces expect.
+///
+/// If the map is bijective, the rotated map is so, too; both are decided by exact predicates.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `ReadWritePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel with
 ///         coordinates of type `double`
 ///
-/// \param tmesh a closed triangle mesh without handles
-/// \param vertex_sphere_map the images of its vertices, which are turned
+/// \param tmesh a closed triangle mesh of genus 0
+/// \param vertex_sphere_map the images of its vertices, which are rotated
 ///
-/// \return `OK`; `ERROR_INSUFFICIENT_PRECISION` if rounding folds a face of a map that was one-to-one; or what
-///         `fit_rotation_to_surface()` returns, such as `ERROR_UNDETERMINED_ROTATION`. Nothing is turned then.
+/// \return `OK`; `ERROR_INSUFFICIENT_PRECISION` if rounding inverts a face of a bijective map; or an error code of
+///         `fit_rotation_to_surface()`, such as `ERROR_UNDETERMINED_ROTATION`. On an error, the map is unchanged.
 template <class TriangleMesh, class VertexSphereMap>
 [[nodiscard]] Error_code rotate_to_surface(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map)
 {

@@ -32,7 +32,7 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// The same at directions of length 1, or such that are not finite.
+// The same for directions of length 1 or directions that are not finite.
 Error_code evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std::vector<Vector_3d>& directions,
                               std::vector<double>& values, Run_control& control, const Execution& execution);
 
@@ -42,22 +42,24 @@ Error_code evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std:
 ///
 /// evaluates functions at directions.
 ///
-/// The running time is \f$ O(k L^2) \f$ for \f$ k \f$ directions and the degree \f$ L \f$. Legendre functions come from the recursion
-/// in the degree, which is stable: at all directions, those next to the poles included, and all degrees up to
-/// `Spherical_harmonics_3::max_degree`, the values are exact but for rounding \cgalCite{cgal:hf-uacsh-02}.
+/// The values are accurate up to rounding error at all directions, including those near the poles, and for all degrees
+/// up to `Spherical_harmonics_3::max_degree`: Legendre functions are computed by the recursion in the degree, which is
+/// stable \cgalCite{cgal:hf-uacsh-02}. The running time is \f$ O(k L^2) \f$ for \f$ k \f$ directions and the degree
+/// \f$ L \f$.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam DirectionRange a model of `ConstRange` whose value type is `%Point_3` of a \cgal kernel
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param harmonics the functions
-/// \param directions points at any distance from the origin but 0
-/// \param values receives the values of all functions at the first direction, then those at the second one, and so on
+/// \param directions points other than the origin, at any distance from it
+/// \param values receives the values of all functions at the first direction, then those at the second direction, and
+///         so on
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor whose `go_further()`, asked from time to time, may stop the run}
+///     \cgalParamDescription{a visitor whose `go_further()` is called regularly and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -68,8 +70,8 @@ Error_code evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_INVALID_DIRECTION` if a direction is zero, infinite or not a number; or `ERROR_STOPPED`. The values are as
-///         they were then.
+/// \return `OK`; `ERROR_INVALID_DIRECTION` if a direction is zero, infinite or not a number; or `ERROR_STOPPED`. On an
+///         error, `values` is unchanged.
 ///
 /// \sa `CGAL::Spherical_parameterization::expand_in_spherical_harmonics()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class DirectionRange, typename CGAL_NP_TEMPLATE_PARAMETERS>

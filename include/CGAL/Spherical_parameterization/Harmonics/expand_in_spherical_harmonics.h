@@ -46,27 +46,29 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// How functions are expanded: to which degree, and what is made least. An integer is one, with the usual weights.
+/// The class `Harmonic_expansion_3` holds the parameters of an expansion: the degree, and the weights of the minimized
+/// squared error. An integer converts to an expansion of that degree with the default weights.
 ///
 /// \sa `CGAL::Spherical_parameterization::expand_in_spherical_harmonics()`
 class Harmonic_expansion_3
 {
 public:
-  /// constructs an expansion up to `degree`, from 0 to `Spherical_harmonics_3::max_degree`.
+  /// constructs an expansion of the degree `degree`, from 0 to `Spherical_harmonics_3::max_degree`.
   Harmonic_expansion_3(int degree)
     : m_degree(degree)
   {}
 
-  /// sets what the squared error is weighed with, `Harmonic_weights::surface` by default, and returns the expansion.
+  /// sets the weights of the squared error, `Harmonic_weights::surface` by default, and returns the expansion.
   ///
-  /// - `surface`: the integral of the squared error over the surface is least. This gives the surfaces of a degree that are
-  ///   nearest to the given one, and is what shapes are compared by.
-  /// - `sphere`: the integral over the sphere is least. The coefficients are the integrals of function and harmonic, as those of
-  ///   a field whose domain is the sphere itself. Parts of the surface that are small on the sphere count little.
-  /// - `vertices`: the sum of squared errors at the vertices is least, each with a third of the areas of its faces, as other programs
-  ///   for shapes do it. The error at the vertices is smaller than by the other two. Between them nothing holds the functions: with
-  ///   three to ten vertices for each coefficient they were off by up to twelve times as much as those of `surface` over the whole
-  ///   surface. Take it where vertices are dense.
+  /// - `surface`: minimizes the integral of the squared error over the surface. The result is the surface of this
+  ///   degree that is closest to the given one. Use it to compare shapes.
+  /// - `sphere`: minimizes the integral over the sphere. The coefficients are the integrals of the product of function
+  ///   and harmonic, as for a field whose domain is the sphere itself. Parts of the surface that are small on the
+  ///   sphere have little weight.
+  /// - `vertices`: minimizes the sum of the squared errors at the vertices, each weighted by a third of the area of its
+  ///   faces, as other programs for shape analysis do. The error at the vertices is smaller than with the other
+  ///   weights. Between the vertices, the functions are not controlled: with three to ten vertices per coefficient, the
+  ///   error over the surface was up to twelve times that of `surface`. Use it only where vertices are dense.
   Harmonic_expansion_3& weights(Harmonic_weights weights)
   {
     m_weights = weights;
@@ -86,27 +88,28 @@ private:
 
 namespace internal {
 
-// A sample of functions of the vertices: a mean of three of them.
+// A sample of functions on the vertices: a weighted mean of three vertices.
 struct Vertex_mean
 {
   std::array<std::uint32_t, 3> vertices;
   Vector_3d weights;
 };
 
-// A surface and its map to the sphere, rounded, as an expansion reads them.
+// A surface and its map to the sphere in double precision, the input of an expansion.
 struct Expansion_surface
 {
   std::vector<Vector_3d> points, images; // of the vertices
   const std::vector<Linked_triangle>& triangles;
-  std::function<std::vector<Vertex_mean>(const std::vector<Vector_3d>& directions)> locate; // exact but for the weights
+  std::function<std::vector<Vertex_mean>(const std::vector<Vector_3d>& directions)>
+      locate; // exact, with rounded weights
 };
 
-// Expands functions of which the vertices have `values`, those of a vertex one after the other.
+// Expands functions with the given values at the vertices; the values of a vertex are contiguous.
 Error_code expand_functions(Expansion_surface surface, const std::vector<double>& values,
                             const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
                             Run_control& control, const Execution& execution);
 
-// Appends the numbers that a vertex has: one, or several.
+// Appends the numbers of a vertex: a single number, or a range of numbers.
 template <class Value>
 void append_numbers(const Value& value, std::vector<double>& numbers)
 {
@@ -116,7 +119,7 @@ void append_numbers(const Value& value, std::vector<double>& numbers)
     numbers.insert(numbers.end(), std::begin(value), std::end(value));
 }
 
-// Expands functions of which append(v, mesh, values) appends the values at the vertex v; all have as many.
+// Expands functions. append(v, mesh, values) appends the values at the vertex v, the same number for every vertex.
 template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters, class Append>
 Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
                             const Harmonic_expansion_3& expansion, Spherical_harmonics_3& harmonics,
@@ -168,19 +171,23 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// expands a surface into spherical harmonics by its map to the sphere \cgalCite{cgal:bgk-psdod-95}, \cgalCite{cgal:gwcty-gzscm-04} -
-/// the three coordinates of its points are functions of the directions of the images. The surface is that of the triangles, as
-/// `Sphere_locator_3` finds it: no function of the degree is exact, and none has to be.
+/// expands a surface in spherical harmonics by means of its map to the sphere \cgalCite{cgal:bgk-psdod-95},
+/// \cgalCite{cgal:gwcty-gzscm-04}.
 ///
-/// Surfaces are sampled at the nodes of a Gauss grid of at least twice the degree, where integrals of harmonics are exact; the
-/// squared error that is least is an integral over the surface, unless `Harmonic_expansion_3::weights()` says otherwise. How large
-/// it is, and what the nodes have to do with it, is told by `Spherical_harmonics_3::fit`. Of four surfaces, maps of low
-/// stretch left 1.2 to 1.9 percent of the root of the area at degree 8, and 0.1 to 0.3 percent at degree 30; see section
-/// \ref SphericalParameterizationShapes.
+/// The three coordinates of the surface points are functions of the direction of the image. The surface is piecewise
+/// linear, with the correspondence of `Sphere_locator_3`. The expansion of a finite degree approximates it.
 ///
-/// A grid of \f$ k \f$ parallels and the degree \f$ L \f$ take \f$ O(k^2 L) \f$ for each iteration of conjugate gradients, of which
-/// there are some 20 to 40 (one, for areas of the sphere); \f$ k \f$ is \f$ 2 L \f$, or twice the root of the number of vertices up
-/// to 600. The vertices alone take \f$ O(n L^2) \f$, and up to several hundred iterations. Memory is linear in nodes and vertices.
+/// The surface is sampled at the nodes of a Gauss-Legendre grid for at least twice the degree, on which integrals of
+/// harmonics are exact. The expansion minimizes the integral of the squared error over the surface;
+/// `Harmonic_expansion_3::weights()` selects other weights. `Spherical_harmonics_3::fit` reports the error, and with
+/// `Harmonic_fit::aliasing` a value that exceeds the influence of the choice of nodes. Section
+/// \ref SphericalParameterizationShapes lists the errors of four surfaces at several degrees.
+///
+/// With a grid of \f$ k \f$ parallels and the degree \f$ L \f$, the running time is \f$ O(k^2 L) \f$ for each iteration
+/// of conjugate gradients. There are usually 20 to 40 iterations; with `Harmonic_weights::sphere`, one is enough. The
+/// number \f$ k \f$ is about twice the larger of \f$ L \f$ and \f$ \sqrt{n} \f$ for \f$ n \f$ vertices, but at most 600
+/// or \f$ 1.5 L \f$, whichever is larger. With `Harmonic_weights::vertices`, an iteration takes \f$ O(n L^2) \f$, and
+/// there are up to several hundred. Memory is linear in the numbers of nodes and vertices.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -189,9 +196,10 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
-/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
-/// \param expansion the degree, and what is made least
-/// \param harmonics receives the coefficients of the three coordinates, with the normalization 4 pi and no phase, and how well they fit
+/// \param vertex_sphere_map its map to the sphere, which must be bijective, such as a map computed by `parameterize()`
+/// \param expansion the degree, and the weights of the minimized squared error
+/// \param harmonics receives the coefficients of the three coordinates, in 4 pi normalization and without the
+///         Condon-Shortley phase, and the quality of the fit
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -201,7 +209,7 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor whose `go_further()`, asked in each iteration, may stop the run}
+///     \cgalParamDescription{a visitor whose `go_further()` is called in each iteration and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -212,10 +220,10 @@ Error_code expand_functions(const TriangleMesh& tmesh, const VertexSphereMap& ve
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
-///         no bijection; `ERROR_WRONG_PARAMETER` if the degree is out of its range; `ERROR_TOO_HIGH_DEGREE` if the vertices are the
-///         weights and hold no more than the degree \f$ \lfloor \sqrt{n} \rfloor - 1 \f$ for \f$ n \f$ of them, which
-///         `Harmonic_fit::degree_of_vertices` tells with any other weights; or `ERROR_STOPPED`. `harmonics` is as it was then.
+/// \return `OK`; an error of the mesh, see `find_defect()`; `ERROR_NO_1_TO_1_MAPPING` if the map is not bijective;
+///         `ERROR_WRONG_PARAMETER` if the degree is out of range; `ERROR_TOO_HIGH_DEGREE` if the weights are
+///         `Harmonic_weights::vertices` and the degree exceeds \f$ \lfloor \sqrt{n} \rfloor - 1 \f$ for \f$ n \f$
+///         vertices, see `Harmonic_fit::degree_of_vertices`; or `ERROR_STOPPED`. On an error, `harmonics` is unchanged.
 ///
 /// \sa `CGAL::Spherical_parameterization::reconstruct_from_spherical_harmonics()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
@@ -231,8 +239,9 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// expands what the vertices have, such as curvature or thickness: functions that are linear on the images of faces. The rest is as
-/// for the surface, whose areas are weights here as well.
+/// expands values given at the vertices, such as curvature or thickness, in spherical harmonics. The functions are
+/// linear on the images of the faces. Method, weights and complexity are as for the function above, including the areas
+/// of the surface as weights.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -242,14 +251,14 @@ Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphere
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
-/// \param vertex_sphere_map its map to the sphere, a bijection
+/// \param vertex_sphere_map its map to the sphere, which must be bijective
 /// \param vertex_value_map the values
-/// \param expansion the degree, and what is made least
-/// \param harmonics receives the coefficients of one function for each number of a vertex
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", the same as for the surface
+/// \param expansion the degree, and the weights of the minimized squared error
+/// \param harmonics receives the coefficients of one function for each number at a vertex
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", the same as for the function above
 ///
-/// \return the same, and `ERROR_WRONG_PARAMETER` if vertices have no number or not equally many, `ERROR_NON_FINITE_COORDINATE` if
-///         one is infinite or not a number
+/// \return an error code of the function above; `ERROR_WRONG_PARAMETER` also if a vertex has no number or the vertices
+///         have different numbers of them; or `ERROR_NON_FINITE_COORDINATE` if a value is infinite or not a number
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
           class VertexValueMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code expand_in_spherical_harmonics(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -36,22 +36,25 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// How a surface has come into standard position, and how sure that is: what `move_to_standard_position()` tells.
+/// The transformation to standard position and how well it is determined, computed by `move_to_standard_position()`.
 struct Standard_position
 {
   /// Type of the rotations
   using Rotation = Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
 
-  Rotation rotation_of_surface;                  ///< A point \f$ p \f$ has come to \f$ R (p - c) \f$.
-  Rotation rotation_of_sphere;                   ///< A direction \f$ q \f$ has come to \f$ R q \f$.
-  std::array<double, 3> center = {{0., 0., 0.}}; ///< \f$ c \f$, the mean of the surface over the sphere
-  /// Half the lengths of the axes of the ellipsoid, the largest one first; the last one is negative if the surface is inside out
+  Rotation rotation_of_surface;                  ///< A point \f$ p \f$ is moved to \f$ R (p - c) \f$.
+  Rotation rotation_of_sphere;                   ///< A direction \f$ q \f$ is moved to \f$ R q \f$.
+  std::array<double, 3> center = {{0., 0., 0.}}; ///< \f$ c \f$, the mean of the surface points over the sphere
+  /// Half the lengths of the axes of the ellipsoid, in descending order; the last one is negative if the ellipsoid is
+  /// oriented inwards
   std::array<double, 3> semi_axes = {{0., 0., 0.}};
-  /// Third moments of the surface along its axes over the powers 3/2 of the second ones: positive for the first two
+  /// Skewness along the axes: third moments divided by the 3/2 power of the second moments; positive for the first two
+  /// axes
   std::array<double, 3> skewness = {{0., 0., 0.}};
-  /// Whether no two axes are of the same length, up to a hundredth: otherwise noise turns the surface about the third one
+  /// Whether the lengths of any two axes differ by more than 1 percent; otherwise noise determines the rotation about
+  /// the third axis
   bool axes_are_determined = false;
-  /// Whether the skewness along the first two axes is above a hundredth: otherwise noise turns the surface by half a turn
+  /// Whether the skewness along the first two axes exceeds 0.01; otherwise noise may cause a half-turn
   bool signs_are_determined = false;
 };
 
@@ -64,15 +67,17 @@ Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& p
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// moves a surface into standard position \cgalCite{cgal:bgk-psdod-95} - the harmonics of degree 1 make an ellipsoid of it, whose
-/// centre comes to the origin and whose axes come to those of space, the longest one to the x-axis and the shortest one to the z-axis; and
-/// the sphere is turned such that the directions of the axes are the axes as well. So the coefficients of surfaces of the same kind
-/// can be compared, wherever the surfaces were and however their maps were turned. Nothing is scaled.
+/// moves a surface into standard position \cgalCite{cgal:bgk-psdod-95}, so that coefficients of similar surfaces can be
+/// compared irrespective of their poses and of rotations of their maps. Nothing is scaled.
 ///
-/// An ellipsoid does not tell an axis from its opposite. The surface lies such that its third moments along the first two axes are
-/// positive: its far end is where x and y are positive. Where axes are of nearly the same length, or the surface is as long on
-/// both sides, noise decides, which the result tells: see `Standard_position::axes_are_determined`. Extremities in different
-/// poses are not brought together by any rotation; `map_surface()` does that.
+/// The harmonics of degree 1 describe an ellipsoid. The surface is moved so that the center of the ellipsoid is the
+/// origin, its longest axis is the x-axis, and its shortest axis is the z-axis. The sphere is rotated so that the
+/// directions of these axes are the coordinate axes, too. The ellipsoid does not distinguish an axis from its opposite:
+/// half-turns make the third moments of the surface along the first two axes positive.
+///
+/// If axes have nearly the same length, or the surface is nearly symmetric, noise determines the result, see
+/// `Standard_position::axes_are_determined` and `Standard_position::signs_are_determined`. A rotation cannot align
+/// extremities in different poses; use `map_surface()` for this.
 ///
 /// The running time is that of `rotate_spherical_harmonics()`.
 ///
@@ -80,12 +85,12 @@ Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& p
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param harmonics the three coordinates of a surface, which are replaced
-/// \param position receives what has been done
+/// \param position receives the transformation
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor whose `go_further()`, asked from time to time, may stop the run}
+///     \cgalParamDescription{a visitor whose `go_further()` is called regularly and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -96,9 +101,10 @@ Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& p
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if there are not three functions, or the degree is 0; `ERROR_NON_FINITE_COORDINATE` if a
-///         coefficient is infinite or not a number; `ERROR_UNDETERMINED_ROTATION` if the ellipsoid is a point or a line; or
-///         `ERROR_STOPPED`. All is as it was then.
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if the number of functions is not three, or the degree is 0;
+///         `ERROR_NON_FINITE_COORDINATE` if a coefficient is infinite or not a number; `ERROR_UNDETERMINED_ROTATION` if
+///         the ellipsoid is a point or a segment; or `ERROR_STOPPED`. On an error, `harmonics` and `position` are
+///         unchanged.
 template <class ConcurrencyTag = Parallel_if_available_tag, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code move_to_standard_position(Spherical_harmonics_3& harmonics, Standard_position& position,
                                      const CGAL_NP_CLASS& np = parameters::default_values())

@@ -35,9 +35,11 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// reconstructs a surface from its spherical harmonics - makes a mesh that has the triangles of the domain, and its vertices where
-/// the three functions lead from their directions. `measure_distance()` tells how close it is to the surface that was
-/// expanded. Nothing excludes that it intersects itself. `Spherical_harmonics_3::set_degree()` of a copy leaves out the details.
+/// reconstructs a surface from its spherical harmonics: adds a mesh with the triangles of a domain, whose vertices are
+/// the values of the three functions at the directions of the domain.
+///
+/// The result may intersect itself. `measure_distance()` computes its distance to the surface that was expanded. To
+/// remove details, call `Spherical_harmonics_3::set_degree()` on a copy.
 ///
 /// The running time is that of `evaluate_spherical_harmonics()`.
 ///
@@ -47,9 +49,10 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param harmonics the three coordinates of the surface
-/// \param domain what the sphere is sampled with
-/// \param tmesh the new mesh is added to it, its vertices and faces in the order of the domain
-/// \param vertex_sphere_map receives the directions of the new vertices: the map of the new mesh to the sphere
+/// \param domain the triangulated directions that sample the sphere
+/// \param tmesh the mesh that the new vertices and faces are added to, in the order of the domain
+/// \param vertex_sphere_map receives the directions of the new vertices, which are the map of the new mesh to the
+///         sphere
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -59,7 +62,7 @@ namespace CGAL::Spherical_parameterization {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor whose `go_further()`, asked from time to time, may stop the run}
+///     \cgalParamDescription{a visitor whose `go_further()` is called regularly and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -70,8 +73,8 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_INVALID_DOMAIN` if the domain is empty; `ERROR_WRONG_PARAMETER` if there are not three functions;
-///         or `ERROR_STOPPED`. Nothing is added then.
+/// \return `OK`; `ERROR_INVALID_DOMAIN` if the domain is empty; `ERROR_WRONG_PARAMETER` if the number of functions is
+///         not three; or `ERROR_STOPPED`. On an error, nothing is added.
 ///
 /// \sa `CGAL::Spherical_parameterization::expand_in_spherical_harmonics()`
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`

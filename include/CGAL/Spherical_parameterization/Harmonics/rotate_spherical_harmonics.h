@@ -37,12 +37,12 @@ Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
 
 /// \ingroup PkgSphericalParameterizationHarmonics
 ///
-/// rotates the sphere under functions - the new functions have at \f$ R q \f$ what the old ones had at \f$ q \f$. A surface stays where
-/// it is; only its map to the sphere turns.
+/// rotates functions on the sphere: the new functions have the value at \f$ R q \f$ that the old functions have at
+/// \f$ q \f$. If the functions represent a surface, the surface does not move; only its map to the sphere is rotated.
 ///
-/// The functions are evaluated at the nodes of a grid that has been turned, by which sums of harmonics are integrated exactly. The
-/// coefficients are exact but for rounding, some \f$ 10^{-13} \f$ of the largest one, and the running time is \f$ O(L^4) \f$ for
-/// the degree \f$ L \f$: for the degrees 100 and 200, some 0.1 and 2 seconds in one thread.
+/// The functions are evaluated at the nodes of a rotated grid on which sums of harmonics are integrated exactly. The
+/// coefficients are accurate up to rounding error, about \f$ 10^{-13} \f$ of the largest one. The running time is
+/// \f$ O(L^4) \f$ for the degree \f$ L \f$: about 0.1 and 2 seconds in one thread for the degrees 100 and 200.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -53,7 +53,7 @@ Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor whose `go_further()`, asked from time to time, may stop the run}
+///     \cgalParamDescription{a visitor whose `go_further()` is called regularly and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -64,8 +64,8 @@ Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if `rotation` is none, by more than rounding; or `ERROR_STOPPED`. The functions are as
-///         they were then.
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if `rotation` is not a rotation up to rounding error; or `ERROR_STOPPED`. On
+///         an error, `harmonics` is unchanged.
 ///
 /// \sa `CGAL::Spherical_parameterization::align_spheres()`
 /// \sa `CGAL::Spherical_parameterization::move_to_standard_position()`

@@ -26,49 +26,62 @@ namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
-/// reads the coefficients of a surface from a file `.coef` of SPHARM-PDM: `{` their number, and for each of them `{x, y, z}`, by the
-/// degree, for each degree the order 0 first and then the cosine and the sine of each order. They are the factors of the real
-/// and imaginary parts of complex orthonormal harmonics with the phase of Condon and Shortley; here they become those of real
-/// orthonormal harmonics with that phase. Nothing in the file tells if other harmonics were meant.
+/// reads the coefficients of a surface from a `.coef` file of SPHARM-PDM.
+///
+/// The file contains `{`, the number of coefficients, and a triple `{x, y, z}` for each coefficient, sorted by degree.
+/// Within a degree, the order 0 comes first, followed by the cosine and the sine of each order. The coefficients in the
+/// file multiply the real and imaginary parts of complex orthonormal harmonics with the Condon-Shortley phase. They are
+/// converted to real orthonormal harmonics with this phase. The file does not record its convention, so files with
+/// other conventions are not detected.
 ///
 /// \param in the file
 /// \param harmonics receives the coefficients
-/// \param message receives what is wrong with the file, where, and what helps, in one line; empty if nothing is
+/// \param message receives one line that states the error, its location and a remedy; empty if there is no error
 ///
-/// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged, or of another kind; `harmonics` is as it was then
+/// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged or has another format; `harmonics` is then
+///         unchanged
 Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
-/// writes the coefficients of a surface as SPHARM-PDM does, with all digits.
+/// writes the coefficients of a surface to a `.coef` file of SPHARM-PDM, with all digits. See `read_SPHARM_PDM()` for
+/// the format.
 ///
 /// \param out the file
-/// \param harmonics three functions, with any normalization
+/// \param harmonics three functions, in any normalization
 ///
-/// \return `OK`; `ERROR_WRONG_PARAMETER` if there are not three functions; or `ERROR_CANNOT_WRITE_FILE`
+/// \return `OK`; `ERROR_WRONG_PARAMETER` if the number of functions is not three; or `ERROR_CANNOT_WRITE_FILE`
 Error_code write_SPHARM_PDM(std::ostream& out, const Spherical_harmonics_3& harmonics);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
-/// reads coefficients from a table that `write_harmonics_table()` or another program has written: lines of fields between commas,
-/// quoted or not, in any order, with the names of the columns in the first one.
+/// reads coefficients from a table, as written by `write_harmonics_table()` or another program. The fields of a line
+/// are separated by commas and may be quoted. The first line has the names of the columns; the other lines may be in
+/// any order.
 ///
 /// \param in the file
 /// \param harmonics receives the coefficients
-/// \param message receives what is wrong with the file, where, and what helps, in one line; empty if nothing is
+/// \param message receives one line that states the error, its location and a remedy; empty if there is no error
 ///
-/// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged, or of another kind; `harmonics` is as it was then
+/// \return `OK`, or `ERROR_INVALID_HARMONICS_FILE` if the file is damaged or has another format; `harmonics` is then
+///         unchanged
 Error_code read_harmonics_table(std::istream& in, Spherical_harmonics_3& harmonics, std::string& message);
 
 /// \ingroup PkgSphericalParameterizationHarmonicsFiles
 ///
-/// writes coefficients as a table for R, pandas and spreadsheets: a line for each degree and order, the sines with negative orders.
-/// Its columns are `degree` and `order`; one for each function, `x`, `y` and `z` if there are three and `f1`, `f2` and so on otherwise;
-/// and, the same in all lines and in the words of pyshtools, `normalization`, which is `4pi`, `ortho` or `schmidt`, and `csphase`, -1
-/// with the phase of Condon and Shortley and 1 without.
+/// writes coefficients as a table for R, pandas and spreadsheets, one line for each degree and order; sines have
+/// negative orders.
+///
+/// The columns are:
+/// - `degree` and `order`,
+/// - one for each function: `x`, `y` and `z` for three functions, otherwise `f1`, `f2` and so on,
+/// - `normalization`: `4pi`, `ortho` or `schmidt`, the same in all lines,
+/// - `csphase`: -1 with the Condon-Shortley phase and 1 without, the same in all lines.
+///
+/// The names and values of the last two columns are those of pyshtools.
 ///
 /// \param out the file
-/// \param harmonics the coefficients, which are written as they are
+/// \param harmonics the coefficients, which are written without conversion
 ///
 /// \return `OK`; `ERROR_WRONG_PARAMETER` if there is no function; or `ERROR_CANNOT_WRITE_FILE`
 Error_code write_harmonics_table(std::ostream& out, const Spherical_harmonics_3& harmonics);

@@ -47,7 +47,7 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// A hole of a surface, and what `fill_holes()` has filled it with.
+/// A hole of a surface and the hole patch that fills it, computed by `fill_holes()`.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 template <class TriangleMesh>
@@ -58,38 +58,38 @@ struct Filled_hole
   /// Face descriptor type
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
-  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< one of its border
-  std::size_t number_of_edges = 0;                                             ///< of its border
-  double perimeter = 0.;              ///< the length of its border, in the unit of the mesh
-  double share = 0.;                  ///< of its faces in the area of the closed surface, from 0 to 1
-  std::vector<face_descriptor> faces; ///< new ones, none if the hole has been left open
+  vertex_descriptor vertex = boost::graph_traits<TriangleMesh>::null_vertex(); ///< a vertex of the border
+  std::size_t number_of_edges = 0;                                             ///< the number of edges of the border
+  double perimeter = 0.; ///< the length of the border, in the unit of the mesh
+  double share = 0.;     ///< the fraction of the area of the closed surface that is covered by the patch, from 0 to 1
+  std::vector<face_descriptor> faces; ///< the faces of the patch; empty if the hole is not filled
 };
 
 namespace internal {
 
-// Triangles that close the borders of a surface, from first[k] on those of border k.
+// Triangles of hole patches. The patch of border k begins at triangle first[k].
 struct Border_patches
 {
-  std::vector<Vector_3d> points; // of new vertices, which are behind those of the surface
+  std::vector<Vector_3d> points; // new vertices, numbered after those of the surface
   Index_triangles triangles;
   std::vector<std::size_t> first;
 };
 
-// A triangle, and which of its sides is on a border: 3 t + i from corner i to the next one.
+// The sides on a border. Side 3 t + i of triangle t goes from corner i to the next corner.
 using Border_sides = std::vector<std::uint32_t>;
 
-// The mates are those of all sides, none of those on borders.
+// `mates` has the opposite side of each side, or none for a side on a border.
 Border_patches close_borders(const Index_triangles& triangles, const std::vector<std::uint32_t>& mates,
                              std::vector<Vector_3d> points, const std::vector<Border_sides>& borders);
 
-// Fills the holes of a mesh; see fill_holes().
+// The implementation of fill_holes().
 template <class TriangleMesh, class VertexPointMap>
-class Hole_filler
+class Hole_closer
 {
 public:
   using Hole = Filled_hole<TriangleMesh>;
 
-  Hole_filler(TriangleMesh& tmesh, const VertexPointMap& vpm)
+  Hole_closer(TriangleMesh& tmesh, const VertexPointMap& vpm)
     : m_mesh(tmesh)
     , m_points(vpm)
   {}
@@ -130,7 +130,7 @@ private:
   using Sides = typename boost::property_map<TriangleMesh, CGAL::dynamic_halfedge_property_t<std::uint32_t>>::type;
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  // Gives halfedges the numbers of the sides of triangles, as Mesh_arrays reads these.
+  // Numbers the halfedges as sides of triangles, in the numbering of Mesh_arrays.
   void number_sides()
   {
     m_side_of = get(CGAL::dynamic_halfedge_property_t<std::uint32_t>(), m_mesh);
@@ -150,8 +150,8 @@ private:
     return result;
   }
 
-  // Finds all borders, and what is reported of them. Returns whether none meets itself or another one; if one does, it is the last, and
-  // has the vertex.
+  // Finds all borders and their properties. Returns false if a border meets itself or another one; the last hole then
+  // has the common vertex.
   bool find_borders(std::vector<Hole>& holes, std::vector<Border_sides>& borders) const
   {
     const auto is_seen = get(CGAL::dynamic_vertex_property_t<bool>(), m_mesh);
@@ -181,7 +181,7 @@ private:
         const Vector_3d edge = rounded(get(m_points, v)) - rounded(get(m_points, source(h, m_mesh)));
         holes.back().perimeter += hypotenuse(edge[0], edge[1], edge[2]);
       }
-      std::reverse(borders.back().begin(), borders.back().end()); // the sides run against the halfedges
+      std::reverse(borders.back().begin(), borders.back().end()); // sides are opposite to the border halfedges
       holes.back().number_of_edges = borders.back().size();
       if(holes.back().number_of_edges < 3)
         return false;
@@ -248,44 +248,48 @@ private:
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// fills the holes of a surface, so that it can be mapped to a sphere. Vertices and faces stay what they are, and new ones are
-/// added: triangles between the vertices of the border, refined to the lengths of the edges around the hole. New faces may intersect
-/// others, which does not matter to a map.
+/// fills the holes of a surface, so that it can be mapped to a sphere.
 ///
-/// What the map of the closed surface says of the vertices that were there before is a one-to-one map of the surface with holes.
+/// Vertices and faces of the mesh do not change. Each hole receives a hole patch: triangles between the vertices of its
+/// border, refined to the edge lengths around the hole. Patch faces may intersect other faces, which does not affect
+/// the map to the sphere.
 ///
-/// The running time is quasi-linear in the size of the closed surface, which grows with the square of the number of edges of a hole.
+/// A bijective map of the closed surface, restricted to the original vertices and faces, is an injective map of the
+/// surface with holes.
+///
+/// The running time is quasi-linear in the size of the closed surface. A patch can have a number of faces that is
+/// quadratic in the number of edges of its hole.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a triangle mesh
-/// \param holes receives all holes; those with more edges than `maximum_number` have no faces
+/// \param holes receives all holes; holes with more edges than `maximum_number` are not filled and have no faces
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the largest number of edges of a hole that is filled}
+///     \cgalParamDescription{the maximum number of edges of a hole to be filled}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{any}
+///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, with room for new ones}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, which also accepts new vertices}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_NO_SIMPLICIAL_COMPLEX` if a border meets itself or another one in a vertex, which is that of the only
-///         hole that is reported then; `ERROR_NON_TRIANGULAR_MESH`, `ERROR_TOO_LARGE_MESH` or `ERROR_NON_FINITE_COORDINATE`. But for
-///         `OK`, the mesh is as it was.
+/// \return `OK`; `ERROR_NO_SIMPLICIAL_COMPLEX` if a border meets itself or another border at a vertex, which is the
+///         vertex of the only hole that is then reported; `ERROR_NON_TRIANGULAR_MESH`; `ERROR_TOO_LARGE_MESH`; or
+///         `ERROR_NON_FINITE_COORDINATE`. On an error, the mesh is unchanged.
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code fill_holes(TriangleMesh& tmesh, std::vector<Filled_hole<TriangleMesh>>& holes,
                       const CGAL_NP_CLASS& np = parameters::default_values())
 {
   const std::size_t max_edges = internal::maximum_number_of(np).value_or((std::numeric_limits<std::size_t>::max)());
   const auto vpm = internal::vertex_point_map_of(tmesh, np);
-  return internal::Hole_filler<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm).fill(holes, max_edges);
+  return internal::Hole_closer<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm).fill(holes, max_edges);
 }
 
 } // namespace CGAL::Spherical_parameterization

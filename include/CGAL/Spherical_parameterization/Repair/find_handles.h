@@ -37,53 +37,54 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// A handle of a surface, which keeps it from being mapped to a sphere.
+/// A handle of a surface, represented by a handle cycle. A surface with handles cannot be mapped to a sphere.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 template <class TriangleMesh>
 struct Handle
 {
-  /// a short closed path around it, or through it: there is an edge from each vertex to the next one, and from the last to the
-  /// first. Where the surface is cut along it, and both sides are filled, there is one handle less.
+  /// A short non-separating cycle around the handle or through it. Edges connect each vertex to the next one, and the
+  /// last vertex to the first one. Cutting the surface along the cycle and filling both sides removes one handle.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> path;
-  double length = 0.; ///< of the path, in the unit of the mesh
+  double length = 0.; ///< the length of the cycle, in the unit of the mesh
 };
 
 namespace internal {
 
-struct Handle_path
+struct Handle_cycle
 {
-  std::vector<std::uint32_t> vertices; // each is joined to the next one, and the last to the first
+  std::vector<std::uint32_t> vertices; // of a cycle, in order
   double length = 0.;
 };
 
-// Finds paths around the handles of a closed connected surface, at most so many.
-std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles, std::vector<Vector_3d> points,
-                                           std::size_t max_handles);
+// Finds at most `max_handles` handle cycles of a closed connected surface.
+std::vector<Handle_cycle> find_handle_cycles(const Index_triangles& triangles, std::vector<Vector_3d> points,
+                                             std::size_t max_handles);
 
 } // namespace internal
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// finds the handles of a surface, such as tiny ones that a scan or marching cubes have left, the ones with the shortest paths first,
-/// as far as that is easily found: a tree of shortest paths and a tree of faces across other edges \cgalCite{cgal:ew-gohh-05} give
-/// a closed path that does not separate the surface; it is shortened by looking for it from its own middle, and the next one is
-/// looked for on the surface that is cut there.
+/// finds the handles of a surface, such as the tiny handles that scans and marching cubes produce.
 ///
-/// It takes time of the order of n log n for each handle: 0.2 s on 100,000 vertices.
+/// Each handle is represented by a non-separating cycle from a tree-cotree decomposition \cgalCite{cgal:ew-gohh-05} of
+/// the surface, cut along the previous cycles. Cycles that enclose a small area are preferred. Therefore cycles are
+/// short and small handles tend to come first, but neither the order nor the minimum length is guaranteed.
+///
+/// The running time is \f$ O(n \log n) \f$ for each handle, 0.2 seconds for 100,000 vertices.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh a closed surface
-/// \param handles receives the handles: none if it is a sphere
+/// \param handles receives the handles; empty if the surface has genus 0, and on an error
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the largest number of handles that are looked for}
+///     \cgalParamDescription{the maximum number of handles to be found}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{any}
+///     \cgalParamDefault{no limit}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_point_map}
 ///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
@@ -92,7 +93,7 @@ std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles, std
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`, or what else is wrong with the mesh than handles; see `find_defect()`
+/// \return `OK`, or the first error of the mesh other than handles, see `find_defect()`
 template <class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code find_handles(const TriangleMesh& tmesh, std::vector<Handle<TriangleMesh>>& handles,
                         const CGAL_NP_CLASS& np = parameters::default_values())
@@ -105,8 +106,8 @@ Error_code find_handles(const TriangleMesh& tmesh, std::vector<Handle<TriangleMe
   const Error_code error = internal::read_surface(tmesh, vpm, arrays, surface);
   if(error != ERROR_NO_TOPOLOGICAL_SPHERE)
     return error;
-  for(const internal::Handle_path& path :
-      internal::find_handle_paths(arrays.triangles, internal::read_points(arrays.vertices_of_mesh, vpm), max_handles))
+  for(const internal::Handle_cycle& path :
+      internal::find_handle_cycles(arrays.triangles, internal::read_points(arrays.vertices_of_mesh, vpm), max_handles))
   {
     handles.emplace_back();
     for(const std::uint32_t v : path.vertices)

@@ -35,29 +35,29 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// What `repair_surface()` may do. Lengths are in units of the square root of the area of the surface.
+/// Limits for `repair_surface()`. Lengths are in units of the square root of the area of the surface.
 struct Repair_limits
 {
   double maximum_hole =
-      (std::numeric_limits<double>::infinity)(); ///< the length of the border of a hole that is filled
+      (std::numeric_limits<double>::infinity)(); ///< maximum length of the border of a hole to be filled
   double maximum_handle =
-      (std::numeric_limits<double>::infinity)(); ///< the length of the cycle that a handle is cut along
-  double maximum_added_area = 0.05;              ///< all that is added over the area of the result, from 0 to 1
+      (std::numeric_limits<double>::infinity)(); ///< maximum length of a cycle along which a handle is cut
+  double maximum_added_area = 0.05; ///< maximum ratio of the area of all patches to the area of the result, from 0 to 1
   bool refines_patches =
-      true; ///< whether the triangles of what is added are about as large as their neighbours; or as few as can be
+      true; ///< whether patches are refined to the size of neighboring triangles, or have as few triangles as possible
 };
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// How often something was found in a surface, and where first.
+/// The number of defects of one kind, and the first one.
 struct Repair_count
 {
-  std::size_t number = 0; ///< how often
-  std::size_t first = 0;  ///< the first polygon or vertex, if there is any
+  std::size_t number = 0; ///< the number of defects
+  std::size_t first = 0;  ///< the first polygon or vertex; 0 if there is none
 
-  /// counts one more.
+  /// adds a defect.
   ///
-  /// \param where the polygon or vertex
+  /// \param where its polygon or vertex
   void add(std::size_t where)
   {
     if(number++ == 0)
@@ -67,40 +67,40 @@ struct Repair_count
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// A part that was added to a surface, to close a hole or one side of a cut through a handle.
+/// A patch added to a surface, to fill a hole or one side of a cut through a handle.
 struct Repair_patch
 {
-  bool is_of_handle = false;       ///< or of a hole
-  std::size_t vertex = 0;          ///< one of its border, as a vertex of the input
-  std::size_t number_of_edges = 0; ///< of its border
-  double length = 0.;              ///< of its border, in the unit of the surface
-  double share = 0.;               ///< of its triangles in the area of the result, from 0 to 1
+  bool is_of_handle = false;       ///< whether it fills a cut through a handle, or a hole
+  std::size_t vertex = 0;          ///< a vertex of its border, as a vertex of the input
+  std::size_t number_of_edges = 0; ///< the number of edges of its border
+  double length = 0.;              ///< the length of its border, in the unit of the surface
+  double share = 0.;               ///< its fraction of the area of the result, from 0 to 1
 };
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// What `repair_surface()` found and did, in this order.
+/// The defects found and repairs made by `repair_surface()`, in the order of its steps.
 struct Repair_report
 {
-  Repair_count triangulated_polygons;   ///< with more than three corners; `first` is a polygon
-  Repair_count degenerate_faces;        ///< with less than three different corners, which were removed
-  Repair_count repeated_faces;          ///< with the corners of another one, which were removed
-  Repair_count merged_vertices;         ///< of borders, at the same point as another one; `first` is a vertex
-  Repair_count reversed_faces;          ///< that were oriented against the others
-  Repair_count non_manifold_edges;      ///< with more than two faces; `first` is one of its vertices
-  Repair_count divided_vertices;        ///< that more than one fan of faces met in, and are several vertices now
-  std::size_t number_of_components = 1; ///< of which the largest was kept
-  Repair_count removed_faces;           ///< those of the other components
-  std::vector<std::vector<std::size_t>> handle_cycles; ///< that handles were cut along, as vertices of the input
-  std::vector<Repair_patch> patches;                   ///< what was added
-  Repair_count split_edges;                            ///< of several that joined the same two vertices
-  double added_area = 0.;                              ///< of the patches over that of the result, from 0 to 1
+  Repair_count triangulated_polygons; ///< polygons with more than three corners; `first` is a polygon
+  Repair_count degenerate_faces;      ///< removed faces with fewer than three distinct corners
+  Repair_count repeated_faces;        ///< removed faces with the same corners as another face
+  Repair_count merged_vertices;    ///< border vertices merged with another one at the same point; `first` is a vertex
+  Repair_count reversed_faces;     ///< faces whose orientation was reversed
+  Repair_count non_manifold_edges; ///< edges with more than two faces; `first` is one of its vertices
+  Repair_count divided_vertices;   ///< vertices added so that each vertex has one fan of faces
+  std::size_t number_of_components = 1;                ///< connected components, of which the largest was kept
+  Repair_count removed_faces;                          ///< faces of the removed components
+  std::vector<std::vector<std::size_t>> handle_cycles; ///< cycles of the cuts through handles, as vertices of the input
+  std::vector<Repair_patch> patches;                   ///< the added patches
+  Repair_count split_edges; ///< edges that were split because others connected the same two vertices
+  double added_area = 0.;   ///< ratio of the area of the patches to that of the result, from 0 to 1
 
-  /// English sentences: what keeps the surface from being repaired, where, and what to do about it. Vertices and polygons are
-  /// counted from 0.
+  /// English sentences that state why the surface cannot be repaired, the location, and a remedy. Vertices and polygons
+  /// are counted from 0.
   std::string message;
 
-  /// returns whether the surface needed nothing.
+  /// returns whether no repair was necessary.
   bool is_empty() const
   {
     return triangulated_polygons.number + degenerate_faces.number + repeated_faces.number + merged_vertices.number +
@@ -112,23 +112,23 @@ struct Repair_report
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// A surface that can be parameterized, and where its parts come from.
+/// A repaired surface, which can be parameterized, and the source of its vertices and faces.
 ///
 /// \tparam Point a `%Point_3` of a \cgal kernel
 template <class Point>
 struct Repaired_surface
 {
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)(); ///< no vertex or polygon
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)(); ///< for elements without a source
 
   std::vector<Point> points;                         ///< the vertices
-  std::vector<std::array<std::size_t, 3>> triangles; ///< the faces, by their vertices
-  std::vector<std::size_t> source_vertices;          ///< which vertex of the input each vertex is, or `none`
-  std::vector<std::size_t> source_faces; ///< which polygon of the input each triangle is a part of, or `none`
+  std::vector<std::array<std::size_t, 3>> triangles; ///< the faces, as indices of vertices
+  std::vector<std::size_t> source_vertices;          ///< for each vertex, the vertex of the input, or `none`
+  std::vector<std::size_t> source_faces; ///< for each triangle, the polygon of the input that contains it, or `none`
 };
 
 namespace internal {
 
-// Polygon f has the corners first[f] to first[f + 1] - 1.
+// The corners of polygon f are first[f] to first[f + 1] - 1.
 struct Polygon_corners
 {
   std::vector<std::uint32_t> corners;
@@ -149,23 +149,28 @@ Error_code repair_arrays(std::vector<Vector_3d> points, const Polygon_corners& p
 
 /// \ingroup PkgSphericalParameterizationRepair
 ///
-/// makes a surface that can be parameterized of any polygons: closed, connected, of genus 0, and a simplicial complex. Each step is
-/// taken only where it is needed:
+/// repairs a surface given by any polygons, so that it can be parameterized. The result is closed, connected, of genus
+/// 0, and a simplicial complex.
 ///
-/// 1. Polygons are triangulated; those with less than three different corners are removed, and those that are there already.
-/// 2. Vertices on borders that are at the same point become one.
-/// 3. Faces are reversed such that those with an edge in common are oriented alike, as most of the area of each component is.
-/// 4. Where an edge has more than two faces, or a vertex more than one fan of faces, it becomes several.
-/// 5. The component of the largest area is kept.
+/// Steps that are not needed are skipped:
+///
+/// 1. Polygons are triangulated. Polygons with fewer than three distinct corners and duplicates are removed.
+/// 2. Border vertices at the same point are merged.
+/// 3. Faces are reversed so that adjacent faces have consistent orientations. Each component keeps the orientation of
+///    most of its area. It is oriented outwards if no orientation has at least two thirds of the area.
+/// 4. Edges with more than two faces and vertices with more than one fan of faces are split.
+/// 5. The component with the largest area is kept.
 /// 6. Holes are filled.
-/// 7. Handles are cut along short non-separating cycles of edges, and both sides of each cut are filled. Of the cycles of a handle,
-///    such as across a thin neck and along the rim of the tunnel under it, the one that adds less area is taken.
-/// 8. Of several edges between the same two vertices, all but one are divided.
+/// 7. Handles are cut along short non-separating cycles of edges, and both sides of each cut are filled. A handle has
+///    several such cycles, for example across a thin neck and along the rim of the tunnel under it. Cycles whose
+///    filling adds less area are preferred.
+/// 8. If several edges connect the same two vertices, all but one of them are split.
 ///
-/// Points of the input are not moved; triangles may intersect each other, which does not matter to a map. The vertices and faces that
-/// are kept are in the order of the input, and those that are new are behind them. A surface that needs nothing is returned as it is.
+/// Points of the input are not moved. Triangles may intersect each other, which does not affect the map to the sphere.
+/// Kept vertices and faces are in the order of the input, followed by the new ones. A surface without defects is
+/// returned unchanged.
 ///
-/// The running time is quasi-linear in the size of input and result.
+/// The running time is quasi-linear in the size of the input and the result.
 ///
 /// \tparam PointRange a range of `%Point_3` of a \cgal kernel, with random access
 /// \tparam PolygonRange a range of ranges of integers
@@ -173,14 +178,14 @@ Error_code repair_arrays(std::vector<Vector_3d> points, const Polygon_corners& p
 ///
 /// \param points the vertices
 /// \param polygons the vertices of each face, in order around it
-/// \param result the repaired surface; empty if there is an error
-/// \param report what was found and done
-/// \param limits what may be done
+/// \param result the repaired surface; empty on an error
+/// \param report the defects found and repairs made
+/// \param limits limits of the repairs
 ///
-/// \return `OK` or what keeps the surface from being repaired, which `report.message` explains: `ERROR_EMPTY_MESH`,
-///         `ERROR_NON_FINITE_COORDINATE`, `ERROR_WRONG_PARAMETER` if a corner is no vertex or a limit is negative, `ERROR_TOO_LARGE_MESH`,
-///         `ERROR_NON_CLOSED_MESH` or `ERROR_NO_TOPOLOGICAL_SPHERE` if holes or handles are beyond the limits, or
-///         `ERROR_TOO_FEW_VERTICES`
+/// \return `OK`, or an error that `report.message` explains: `ERROR_EMPTY_MESH`; `ERROR_NON_FINITE_COORDINATE`;
+///         `ERROR_WRONG_PARAMETER` if a corner is not a vertex or a limit is negative; `ERROR_TOO_LARGE_MESH`;
+///         `ERROR_NON_CLOSED_MESH` if holes exceed the limits; `ERROR_NO_TOPOLOGICAL_SPHERE` if handles exceed the
+///         limits; or `ERROR_TOO_FEW_VERTICES`
 template <class PointRange, class PolygonRange, class Point>
 Error_code repair_surface(const PointRange& points, const PolygonRange& polygons, Repaired_surface<Point>& result,
                           Repair_report& report, const Repair_limits& limits = Repair_limits())

@@ -47,7 +47,7 @@ namespace internal {
 
 constexpr std::array<const char*, 3> exr_channels = {"R", "G", "B"};
 
-// Returns what f() does, or `failure` if OpenEXR throws.
+// Returns f(), or `failure` if OpenEXR throws an exception.
 template <class Function>
 Error_code without_exceptions(Error_code failure, const Function& f)
 try
@@ -63,7 +63,7 @@ catch(const std::exception&)
   return failure;
 }
 
-// Whether floats hold these values: the largest one is neither beyond their range nor so small that it would lose digits.
+// Whether single precision can represent these values: the largest absolute value is neither out of range nor subnormal.
 inline bool are_in_range_of_float(const std::vector<double>& values)
 {
   double largest = 0.;
@@ -85,7 +85,7 @@ inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
     const std::size_t stride = sizeof(float) * image.number_of_components;
     buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&pixels[i]), stride, stride * image.width));
   }
-  Imf::StdOSStream stream; // as it goes back in what has been written, which not all streams can do
+  Imf::StdOSStream stream; // OpenEXR seeks in its output, which not all streams support
   {
     Imf::OutputFile file(stream, header);
     file.setFrameBuffer(buffer);
@@ -94,20 +94,20 @@ inline Error_code write_exr(std::ostream& out, const Geometry_image& image)
   return (out << stream.str()).fail() ? ERROR_CANNOT_WRITE_FILE : OK;
 }
 
-// Whether a list of channels of this format ends where these bytes do.
+// Whether the bytes are exactly one list of channels in the OpenEXR format.
 inline bool is_list_of_channels(const std::string& bytes)
 {
-  constexpr std::size_t size_of_channel = 16; // beside its name, which is not empty and ends with 0
+  constexpr std::size_t size_of_channel = 16; // without its name, which is not empty and ends with 0
   std::size_t i = 0;
   while(i < bytes.size() && bytes[i] != '\0')
     i = (std::min)(bytes.find('\0', i), bytes.size()) + 1 + size_of_channel;
   return i + 1 == bytes.size();
 }
 
-// Prepares a file for OpenEXR. Returns false unless it begins as one of a single image in scan lines, with a header that ends
-// within it. OpenEXR makes room for attributes that are as long as they claim to be, and for tiles and previews; and it reads
-// attributes of the types that it knows without regard to that length. So those that an image needs must have the right one,
-// and all others are given a type that OpenEXR does not know, as it skips what is of such a type.
+// Prepares a file for OpenEXR. Returns false unless the file begins like one of a single image in scan lines, and its header
+// ends within the file. OpenEXR allocates as much memory as the size fields of attributes, tiles and previews claim, and reads
+// attributes of known types without checking their sizes. Hence the attributes that an image needs must have the correct size,
+// and all others are given a type that is unknown to OpenEXR, which skips them.
 inline bool prepare_exr(std::string& file)
 {
   struct Attribute
@@ -122,8 +122,8 @@ inline bool prepare_exr(std::string& file)
                                                     {"pixelAspectRatio", "float", 4},
                                                     {"screenWindowCenter", "v2f", 8},
                                                     {"screenWindowWidth", "float", 4}}};
-  constexpr std::size_t size_of_beginning = 8; // a number that is always the same, the version 2, and flags
-  constexpr char long_names = 4;               // is the flag of a file that is read
+  constexpr std::size_t size_of_beginning = 8; // the magic number, the version 2, and flags
+  constexpr char long_names = 4;               // the only flag that is accepted
   if(file.size() < size_of_beginning || file.compare(0, 5, "\x76\x2F\x31\x01\x02") != 0 || (file[5] & ~long_names) != 0)
     return false;
   std::size_t i = size_of_beginning;
@@ -153,7 +153,8 @@ inline bool prepare_exr(std::string& file)
   return i < file.size();
 }
 
-// What the header decides is decided before OpenEXR makes room for any pixels, and what is kept is at most what there is.
+// The header is checked before OpenEXR allocates memory for pixels, and rows are stored as they are read, so that memory is
+// bounded by the size of the file.
 inline Error_code read_exr(std::istream& in, Geometry_image& image)
 {
   std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -173,7 +174,7 @@ inline Error_code read_exr(std::istream& in, Geometry_image& image)
   std::size_t n_channels = 0;
   for(auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
     ++n_channels;
-  constexpr std::size_t max_channels = 4; // each takes memory, and programs add none but the one for opacity
+  constexpr std::size_t max_channels = 4; // Each takes memory, and programs add only opacity.
   for(const char* const name : exr_channels)
     if(n_channels > max_channels || !header.channels().findChannel(name))
       return ERROR_INVALID_IMAGE_FILE;
@@ -205,16 +206,15 @@ namespace IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// writes a property of the vertices of a remesh as a <em>geometry image</em>, as `write_PNG_geometry_image()` does, but to an
-/// OpenEXR file with floating-point numbers of 32 bits, as they are: points or vectors in the channels R, G and B, numbers
-/// in the channel Y.
+/// writes a property of the vertices of a remesh as a <em>geometry image</em>, as `write_PNG_geometry_image()` does, to an OpenEXR
+/// file. Values are stored in single precision: points or vectors in the channels R, G and B, numbers in the channel Y.
 ///
-/// This header needs the library OpenEXR, version 3, and is not among those that `CGAL/spherical_parameterization.h` includes.
+/// This header requires the library OpenEXR, version 3, and is not included by `CGAL/spherical_parameterization.h`.
 ///
 /// The parameters `out`, `remesh` and `map`, of types `TriangleMesh` and `VertexMap`, are those of `write_PNG_geometry_image()`.
 ///
-/// \return what `write_PNG_geometry_image()` returns; `ERROR_OUT_OF_FLOAT_RANGE` if a value is beyond the range of `float`, or
-///         none is 0 or within it
+/// \return the result of `write_PNG_geometry_image()`; or `ERROR_OUT_OF_FLOAT_RANGE` if the largest absolute value is outside the
+///         normal range of `float`, unless all values are 0
 template <class TriangleMesh, class VertexMap>
 Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
@@ -228,13 +228,13 @@ Error_code write_EXR_geometry_image(std::ostream& out, const TriangleMesh& remes
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// adds the mesh to `tmesh` whose points a file of `write_EXR_geometry_image()` holds: closed, with the connectivity of the
-/// domain, and with the coordinates that were written, rounded to `float`.
+/// reads a file written by `write_EXR_geometry_image()`, and adds the mesh with these points to `tmesh`. The mesh is closed, has
+/// the connectivity of the domain, and has the written coordinates rounded to `float`.
 ///
 /// The parameters `in` and `tmesh`, of a type `TriangleMesh`, are those of `read_PNG_geometry_image()`.
 ///
-/// \return what `read_PNG_geometry_image()` returns; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is not an image in scan
-///         lines, lacks the channels R, G and B, or has more than one beside them
+/// \return the result of `read_PNG_geometry_image()`; or `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is not an image in
+///         scan lines, lacks one of the channels R, G and B, or has more than one additional channel
 template <class TriangleMesh>
 Error_code read_EXR_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {

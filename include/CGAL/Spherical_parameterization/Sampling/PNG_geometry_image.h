@@ -40,8 +40,8 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// What libpng works with. It leaves its functions by longjmp() where something is wrong, so that no object with a
-// destructor may be made in a function that calls them: all are members here.
+// The state of libpng. Its functions report errors by longjmp(). A function that calls them must not construct an object with a
+// destructor, so all objects are members.
 class Png_file
 {
 public:
@@ -64,7 +64,7 @@ public:
     , m_png(png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore))
   {}
 
-  // Returns false if the stream does not take the file.
+  // Returns false if the stream fails.
   bool write(const Geometry_image& image)
   {
     const std::size_t n = image.number_of_components;
@@ -88,16 +88,16 @@ public:
     return m_info && is_done([&] { write_all(image); }) && m_out->good();
   }
 
-  // Reads a file. What its header decides is decided before any of its pixels are read.
+  // Reads a file. The header is checked before any pixels are read.
   Error_code read(Geometry_image& image)
   {
     const auto read_header = [&] {
       constexpr png_uint_32 max_width = 2 * Sphere_domain_3::max_subdivision + 1;
       png_set_read_fn(m_png, this, get);
       png_set_user_limits(m_png, max_width, 6 * max_width);
-      png_set_chunk_malloc_max(m_png, 100000); // bytes: the texts are short
-      png_set_chunk_cache_max(m_png, 100);     // texts: each may be packed to a thousandth of its size
-      png_set_benign_errors(m_png, 0);         // or these limits would be warnings
+      png_set_chunk_malloc_max(m_png, 100000); // bytes; the texts are short
+      png_set_chunk_cache_max(m_png, 100);     // texts; each may be compressed by a factor of 1000
+      png_set_benign_errors(m_png, 0);         // otherwise, exceeding these limits is only a warning
       png_read_info(m_png, m_info);
     };
     if(!m_info || !is_done(read_header))
@@ -111,7 +111,7 @@ public:
     if(n != 3 || !Geometry_image_layout::is_size(image.width, image.height))
       return ERROR_INVALID_IMAGE_SIZE;
     m_row.resize(2 * image.width * n);
-    for(std::size_t row = 0; row < image.height; ++row) // so that no more is kept than there is in the stream
+    for(std::size_t row = 0; row < image.height; ++row) // so that memory is bounded by the size of the stream
     {
       if(!is_done([&] { png_read_row(m_png, m_row.data(), nullptr); }))
         return ERROR_INVALID_IMAGE_FILE;
@@ -125,9 +125,9 @@ public:
   }
 
 private:
-  static constexpr double max_code = 65535.; // of 16 bits
+  static constexpr double max_code = 65535.; // the largest code of 16 bits
 
-  // Calls f(); returns false if libpng has left it.
+  // Calls f(); returns false if libpng has left it by longjmp().
   template <class Function>
   bool is_done(const Function& f)
   {
@@ -175,7 +175,7 @@ private:
       for(std::size_t k = 0; k < length; ++k)
       {
         const double min = m_ranges[0][k % n], max = m_ranges[1][k % n], x = image.values[row * length + k];
-        const double t = max > min ? (0.5 * x - 0.5 * min) / (0.5 * max - 0.5 * min) : 0.; // which cannot overflow
+        const double t = max > min ? (0.5 * x - 0.5 * min) / (0.5 * max - 0.5 * min) : 0.; // without overflow
         const auto code = static_cast<std::uint32_t>(std::lround(max_code * (std::min)((std::max)(t, 0.), 1.)));
         m_row[2 * k] = static_cast<png_byte>(code >> 8);
         m_row[2 * k + 1] = static_cast<png_byte>(code & 0xFF);
@@ -187,7 +187,7 @@ private:
 
   [[noreturn]] static void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
   static void ignore(png_structp, png_const_charp) {}
-  // A stream that throws sets its state before.
+  // A stream that throws has set its state before.
   static void put(png_structp png, png_bytep data, std::size_t n)
   try
   {
@@ -215,9 +215,9 @@ private:
   png_structp m_png;
   png_infop m_info = m_png ? png_create_info_struct(m_png) : nullptr;
   std::vector<png_byte> m_row;
-  char m_keys[2][8] = {"Minimum", "Maximum"};  // of the texts
-  std::array<std::string, 2> m_texts;          // the range of the values of the image
-  std::array<std::vector<double>, 2> m_ranges; // the same for each component
+  char m_keys[2][8] = {"Minimum", "Maximum"};  // the keys of the texts
+  std::array<std::string, 2> m_texts;          // the ranges of the values of the image
+  std::array<std::vector<double>, 2> m_ranges; // the same, for each component
 };
 
 } // namespace internal
@@ -227,32 +227,32 @@ namespace IO {
 /// \ingroup PkgSphericalParameterizationSampling
 ///
 /// writes a property of the vertices of a remesh as a <em>geometry image</em> \cgalCite{cgal:ggh-gi-02}, a PNG file with
-/// 16 bits per component: points or vectors as red, green and blue, numbers as grey.
+/// 16 bits per component: points or vectors as red, green and blue, numbers as gray.
 ///
-/// - A mesh over `Sphere_domain_3::octahedron(n)` becomes \f$ 2 n + 1 \f$ times \f$ 2 n + 1 \f$ pixels: the octahedron is
-///   cut open from its lowest vertex, and unfolded to a square \cgalCite{cgal:ph-spr-03}. The highest vertex is in the middle,
-///   the lowest one in all four corners, and x and y grow to the right and downwards. The halves of each side are the same edge,
-///   so that pixels that are at the same distance from the middle of a side are equal.
-/// - A mesh over `Sphere_domain_3::cube(n)` becomes six tiles of \f$ n + 1 \f$ times \f$ n + 1 \f$ pixels, one below the
-///   other: the faces at the lowest and highest z, y and x.
+/// - A mesh over `Sphere_domain_3::octahedron(n)` yields \f$ 2 n + 1 \f$ times \f$ 2 n + 1 \f$ pixels: the octahedron is cut open
+///   at its lowest vertex, and unfolded to a square \cgalCite{cgal:ph-spr-03}. The highest vertex is at the center, the lowest
+///   one at all four corners, x increases to the right, and y increases downwards. The halves of each side represent the same
+///   edge, so pixels at the same distance from the middle of a side are equal.
+/// - A mesh over `Sphere_domain_3::cube(n)` yields six tiles of \f$ n + 1 \f$ times \f$ n + 1 \f$ pixels, one below the other:
+///   the faces at the lowest and highest z, y and x.
 ///
-/// The code \f$ c \f$ of a component stands for the value \f$ m + (M - m) c / 65535 \f$. The numbers \f$ m \f$ and
-/// \f$ M \f$, one for each component, are in the texts of the file with the keys `Minimum` and `Maximum`, with all
-/// digits: of points, these are the corners of the bounding box.
+/// The code \f$ c \f$ of a component represents the value \f$ m + (M - m) c / 65535 \f$. The numbers \f$ m \f$ and \f$ M \f$, one
+/// for each component, are stored as texts of the file with the keys `Minimum` and `Maximum`, with all digits. For points, they
+/// are the corners of the bounding box.
 ///
-/// This header needs libpng, and is not among those that `CGAL/spherical_parameterization.h` includes.
+/// This header requires libpng, and is not included by `CGAL/spherical_parameterization.h`.
 ///
 /// \tparam TriangleMesh a model of `VertexListGraph`
 /// \tparam VertexMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and as value type `%Point_3` or `%Vector_3` of a
-///         \cgal kernel, or a type of numbers
+///         \cgal kernel, or a number type
 ///
-/// \param out the file, in binary mode
-/// \param remesh a mesh that has been made by `remesh_through_sphere()` with one of these domains
-/// \param map what is to be written: the points, say, or the normals
+/// \param out the output stream, in binary mode
+/// \param remesh a mesh computed by `remesh_through_sphere()` with one of these domains
+/// \param map the property to write, for example points or normals
 ///
 /// \return `OK`; `ERROR_NO_GEOMETRY_IMAGE_MESH` if no such domain has as many vertices as the mesh;
-///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_CANNOT_WRITE_FILE`
+///         `ERROR_NON_FINITE_COORDINATE` if a value is not finite; or `ERROR_CANNOT_WRITE_FILE` if the stream fails
 template <class TriangleMesh, class VertexMap>
 Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remesh, VertexMap map)
 {
@@ -264,18 +264,18 @@ Error_code write_PNG_geometry_image(std::ostream& out, const TriangleMesh& remes
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// adds the mesh to `tmesh` whose points a file of `write_PNG_geometry_image()` holds: closed, with the connectivity of the
-/// domain, and each coordinate within half a code of what was written.
+/// reads a file written by `write_PNG_geometry_image()`, and adds the mesh with these points to `tmesh`. The mesh is closed, has
+/// the connectivity of the domain, and each coordinate differs from the written one by at most half a code.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point property map
 ///
-/// \param in the file, in binary mode
+/// \param in the input stream, in binary mode
 /// \param tmesh receives the mesh
 ///
-/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is no PNG file with 16 bits, or lacks the texts;
-///         `ERROR_INVALID_IMAGE_SIZE` if it has other sizes than these images, or one component;
-///         `ERROR_NON_FINITE_COORDINATE`; or `ERROR_NON_MATCHING_BOUNDARY` if pixels differ that are the same vertex.
-///         Nothing is added then.
+/// \return `OK`; `ERROR_INVALID_IMAGE_FILE` if the file is damaged, is not a PNG file with 16 bits, or lacks the texts;
+///         `ERROR_INVALID_IMAGE_SIZE` if it has the size of no such image, or does not have three components;
+///         `ERROR_NON_FINITE_COORDINATE` if a coordinate is not finite; or `ERROR_NON_MATCHING_BOUNDARY` if pixels that
+///         represent the same vertex differ. Nothing is added if an error is returned.
 template <class TriangleMesh>
 Error_code read_PNG_geometry_image(std::istream& in, TriangleMesh& tmesh)
 {

@@ -39,15 +39,15 @@ Error_code make_sphere_domain(const TriangleMesh&, VertexSphereMap, Sphere_domai
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// The class `Sphere_domain_3` is a triangulation of the sphere, by which a surface is sampled: directions, and triangles
-/// that cover the sphere once. There are regular ones, and `make_sphere_domain()` makes one of any mesh that has a map to the
-/// sphere.
+/// The class `Sphere_domain_3` is a triangulation of the sphere that serves as a sampling pattern: directions, and triangles that
+/// cover the sphere once. The class provides regular domains. `make_sphere_domain()` creates a domain from a mesh and its map
+/// to the sphere.
 ///
-/// The regular ones are solids whose edges are divided into `n`, from 1 to `max_subdivision`; for any other `n`, they are
-/// empty. Those of the octahedron and the icosahedron are divided into arcs of the same angle, and their triangles
-/// accordingly; the squares of the cube are divided by planes through its axes that are the same angle apart. So the
-/// samples are almost evenly spaced: the areas of triangles differ by a factor of at most 1.8 (octahedron), 1.7 (cube)
-/// and 1.2 (icosahedron). The vertices of the solid come first, those on its edges next, and those in its faces last.
+/// Regular domains are solids whose edges are divided into `n` parts, with `n` from 1 to `max_subdivision`; for any other `n`,
+/// the domain is empty. The edges of the octahedron and the icosahedron are divided into arcs of equal angle, and their
+/// triangles accordingly. The squares of the cube are divided by planes through its axes at equal angles. The samples are almost
+/// evenly spaced: areas of triangles differ by a factor of at most 1.8 (octahedron), 1.7 (cube) and 1.2 (icosahedron). The
+/// vertices of the solid come first, followed by those on its edges and those in its faces.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 class Sphere_domain_3
@@ -55,28 +55,28 @@ class Sphere_domain_3
 public:
   /// Type of the directions
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  /// The numbers of the vertices of a triangle, counterclockwise as seen from outside
+  /// The indices of the vertices of a triangle, counterclockwise as seen from outside
   using Triangle = std::array<std::uint32_t, 3>;
 
-  /// The largest number that edges can be divided into: 5000
-  static constexpr std::uint32_t max_subdivision = 5000; // of which an icosahedron has 250 million vertices
+  /// The maximum number of parts of an edge: 5000
+  static constexpr std::uint32_t max_subdivision = 5000; // An icosahedron then has 250 million vertices.
 
-  /// makes an empty domain.
+  /// constructs an empty domain.
   Sphere_domain_3() = default;
 
-  /// returns an octahedron whose edges are divided into `n`: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
+  /// returns an octahedron whose edges are divided into `n` parts: \f$ 4 n^2 + 2 \f$ directions of length 1. The vertices of
   /// the octahedron are on the axes.
   static Sphere_domain_3 octahedron(std::uint32_t n) { return regular(8, n); }
 
-  /// returns a cube whose edges are divided into `n`: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
+  /// returns a cube whose edges are divided into `n` parts: \f$ 6 n^2 + 2 \f$ directions of length 1. The faces of the cube are
   /// orthogonal to the axes, and each of their squares consists of two triangles.
   static Sphere_domain_3 cube(std::uint32_t n) { return regular(6, n); }
 
-  /// returns an icosahedron whose edges are divided into `n`: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
+  /// returns an icosahedron whose edges are divided into `n` parts: \f$ 10 n^2 + 2 \f$ directions of length 1. Two vertices of
   /// the icosahedron are on the z-axis, and one is in the plane of the x-axis and the z-axis.
   static Sphere_domain_3 icosahedron(std::uint32_t n) { return regular(20, n); }
 
-  /// returns whether there is nothing to sample by.
+  /// returns whether the domain has no triangles.
   bool is_empty() const { return m_triangles.empty(); }
 
   /// returns the directions.
@@ -97,19 +97,21 @@ private:
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// makes a domain of a mesh and its map to the sphere; vertices without faces are left out. Coordinates of an exact number type
-/// are rounded.
+/// creates a domain from a mesh and its map to the sphere. Isolated vertices are ignored. Coordinates of an exact number type are
+/// rounded to double precision.
+///
+/// <b>Complexity.</b> The running time is linear in the size of the mesh.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexSphereMap a model of `ReadablePropertyMap` from the vertices of `TriangleMesh` to `%Point_3` of a \cgal kernel
 ///
 /// \param tmesh the mesh
-/// \param vertex_sphere_map the directions of the vertices: points around the origin, at any distance from it
+/// \param vertex_sphere_map the directions of the vertices: points at any distance from the origin
 /// \param domain receives the domain
 ///
-/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no
-///         bijection. The domain is as it was then.
+/// \return `OK`; a defect of the mesh, see `find_defect()`, or of its map: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective. The
+///         domain is not changed if an error is returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap>

@@ -35,13 +35,13 @@
 namespace CGAL::Spherical_parameterization {
 /// \ingroup PkgSphericalParameterizationEnums
 ///
-/// What a vertex gets from those of another sphere by `Sphere_resampler_3`.
+/// The method by which `Sphere_resampler_3` computes the value of a target vertex from the values of source vertices.
 enum class Resampling_method
 {
-  barycentric, ///< what is interpolated at its direction
-  adaptive,    ///< the same where the target is finer, and averages, weighted with areas, where it is coarser
-  nearest,     ///< what the vertex has that is interpolated with the largest weight
-  largest      ///< what the vertex has whose weight by `adaptive` is largest
+  barycentric, ///< barycentric interpolation in the source triangle that contains its direction
+  adaptive,    ///< interpolation where the target is finer, and averages weighted with areas where it is coarser
+  nearest,     ///< the value of the source vertex with the largest weight of `barycentric`
+  largest      ///< the value of the source vertex with the largest weight of `adaptive`
 };
 
 namespace internal {
@@ -53,11 +53,11 @@ struct Resampling_settings
   std::vector<bool> mask;
 };
 
-// Checks that points and triangles are a closed surface around the origin, one-to-one.
+// Checks that points and triangles form a closed surface that is mapped bijectively to the sphere around the origin.
 Error_code check_sphere(const std::vector<Vector_3d>& points, const Index_triangles& triangles,
                         const Execution& execution);
 
-// Finds the weights of the vertices of the source for those of the target.
+// Computes the weights of the source vertices for each target vertex.
 Error_code connect_spheres(const Resampling_settings& settings, const std::vector<Vector_3d>& source,
                            const Index_triangles& source_triangles, const std::vector<Vector_3d>& target,
                            const Index_triangles& target_triangles, Interpolation_weights& weights,
@@ -67,23 +67,26 @@ Error_code connect_spheres(const Resampling_settings& settings, const std::vecto
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// The class `Sphere_resampler_3` carries values from the vertices of one sphere to those of another one that is in register with
-/// it, by weights that are computed once: the resampling of cortical surfaces, with the definitions of Connectome Workbench
-/// \cgalCite{cgal:gswcfawxjp-mpphcp-13}. Spheres are flat arrays, as files and numpy have them: points around the
-/// origin, at any distance from it, and triangles. They may have been made by any program, with coordinates that were
-/// rounded to 32 bits, but each has to be one-to-one. `transfer()` is for properties of meshes, and takes no settings.
+/// The class `Sphere_resampler_3` resamples values at the vertices of one sphere to the vertices of another sphere that is
+/// registered with it. The weights are computed once. It implements the resampling of cortical surfaces as defined by
+/// Connectome Workbench \cgalCite{cgal:gswcfawxjp-mpphcp-13}.
 ///
-/// - `Resampling_method::barycentric`: the barycentric coordinates of the direction in the triangle of the source that contains
-///   it; see `Sphere_locator_3`.
-/// - `Resampling_method::adaptive`: each vertex of the source hands out its barycentric coordinates in the triangle of the target that
-///   contains it. A vertex of the target that is handed anything by a source which would not be interpolated there has
-///   the weights that are handed to it; all others have those of the interpolation. A weight is multiplied by the area of the
-///   target, and those of each source are scaled to its own area in all. So no source is left out, and each counts by its area.
-/// - Sources that the mask leaves out have no weight. The weights of a vertex of the target are divided by their sum.
+/// Spheres are given as arrays: points around the origin, at any distance from it, and triangles. They may have been computed
+/// by any program, and their coordinates may have been rounded to single precision, but each sphere must be bijective. For
+/// properties of meshes, see `transfer()`, which has no settings.
 ///
-/// Values are averaged as `transfer()` says; labels get the one with the largest sum of weights.
+/// - `Resampling_method::barycentric`: the weights are the barycentric coordinates of the direction of the target vertex in
+///   the source triangle that contains it, see `Sphere_locator_3`.
+/// - `Resampling_method::adaptive`: each source vertex distributes its barycentric coordinates in the target triangle that
+///   contains it. If a target vertex receives a coordinate from a source vertex that would not be interpolated at the target
+///   vertex, its weights are the received coordinates. All other target vertices have the weights of the interpolation. Each
+///   weight is multiplied by the area of the target vertex, and the weights of each source vertex are scaled so that their sum
+///   is its own area. As a result, no source vertex is ignored, and each one contributes according to its area.
+/// - Source vertices that the mask excludes have weight 0. The weights of a target vertex are divided by their sum.
 ///
-/// Time and memory are linear in the size of the spheres, unless triangles are long and narrow.
+/// Values are averaged as in `transfer()`. For labels, the label with the largest sum of weights is selected.
+///
+/// <b>Complexity.</b> Running time and memory are linear in the size of the spheres, unless triangles are long and narrow.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 ///
@@ -92,9 +95,9 @@ template <class ConcurrencyTag = Parallel_if_available_tag>
 class Sphere_resampler_3
 {
 public:
-  /// Points or vectors
+  /// Type of an array of points or vectors
   using Points = std::vector<std::array<double, 3>>;
-  /// Triangles by the numbers of their vertices, counterclockwise as seen from outside
+  /// Type of an array of triangles: indices of their vertices, counterclockwise as seen from outside
   using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
   /// sets the method, `Resampling_method::barycentric` by default, and returns the resampler.
@@ -104,7 +107,7 @@ public:
     return *this;
   }
 
-  /// sets the areas around the vertices, which the adaptive methods need, and returns the resampler.
+  /// sets the areas of the vertices, which the adaptive methods require, and returns the resampler.
   ///
   /// \param of_source,of_target an area for each vertex, in any unit
   ///
@@ -116,23 +119,23 @@ public:
     return *this;
   }
 
-  /// sets which vertices of the source count, and returns the resampler; all if the mask is empty.
+  /// sets the mask of the source vertices that are included, and returns the resampler. If the mask is empty, all are included.
   Sphere_resampler_3& mask(std::vector<bool> mask)
   {
     m_settings.mask = std::move(mask);
     return *this;
   }
 
-  /// computes the weights. With an error, there are none.
+  /// computes the weights. There are no weights if an error is returned.
   ///
   /// \param source,target the points of both spheres
-  /// \param source_triangles,target_triangles their triangles
+  /// \param source_triangles,target_triangles the triangles of both spheres
   ///
   /// \return `OK`; `ERROR_EMPTY_MESH` if a sphere has no triangle; `ERROR_TOO_LARGE_MESH`; `ERROR_NON_FINITE_COORDINATE`;
-  ///         `ERROR_NON_CLOSED_MESH` if there is an edge without two triangles in opposite directions;
-  ///         `ERROR_NO_1_TO_1_MAPPING` if a triangle is not positively oriented as seen from the origin, or they
-  ///         do not cover the sphere once; `ERROR_WRONG_PARAMETER` if a triangle has a vertex that is none, or there are not as
-  ///         many areas or elements of the mask as vertices, or an area is negative or not finite
+  ///         `ERROR_NON_CLOSED_MESH` if an edge does not have two triangles in opposite directions;
+  ///         `ERROR_NO_1_TO_1_MAPPING` if a triangle is not positively oriented as seen from the origin, or the triangles do
+  ///         not cover the sphere once; or `ERROR_WRONG_PARAMETER` if an index of a triangle is out of range, if the number of
+  ///         areas or of elements of the mask differs from the number of vertices, or if an area is negative or not finite
   Error_code connect(const Points& source, const Triangles& source_triangles, const Points& target,
                      const Triangles& target_triangles)
   {
@@ -147,14 +150,15 @@ public:
     return OK;
   }
 
-  /// carries over a value of each vertex.
+  /// resamples values from the source vertices to the target vertices.
   ///
-  /// \tparam T a type of values, as for `transfer()`; `bool`, of which vectors have no elements, excepted
+  /// \tparam T a value type as for `transfer()`, except `bool`, because `std::vector<bool>` has no elements of type `bool`
   ///
-  /// \param values those of the source
-  /// \param result receives those of the target; what gets nothing has `T()`; see `has_value()`
+  /// \param values the values at the source vertices
+  /// \param result receives the values at the target vertices; a vertex without a value receives `T()`, see `has_value()`
   ///
-  /// \return `OK`, or `ERROR_WRONG_PARAMETER` if there are not as many values as the source has vertices, or no weights
+  /// \return `OK`; or `ERROR_WRONG_PARAMETER` if the number of values differs from the number of source vertices, or if there
+  ///         are no weights
   template <class T>
   Error_code resample(const std::vector<T>& values, std::vector<T>& result) const
   {
@@ -168,14 +172,14 @@ public:
     return OK;
   }
 
-  /// carries the vertices of the target through a registration: the source is a sphere as it was, and `sphere` the same one as
-  /// it has been registered, or the other way round. Each vertex of the target has the same place on both of them.
+  /// maps the vertices of the target through a registration: the source is a sphere before the registration, and `sphere` is the
+  /// same sphere after it, or vice versa. Each target vertex has the same face and barycentric coordinates on both spheres.
   ///
   /// \param sphere the points of the other sphere, which has the triangles of the source
-  /// \param result receives those of the target, at the distance from the origin that is interpolated
+  /// \param result receives the points of the target vertices, at the interpolated distance from the origin
   ///
-  /// \return as `resample()`; or `ERROR_NO_1_TO_1_MAPPING` if the result is no one-to-one map, which there is nothing to
-  ///         exclude where the triangles of the target are large: it is written nevertheless
+  /// \return the result of `resample()`; or `ERROR_NO_1_TO_1_MAPPING` if the result is not bijective, which may happen if the
+  ///         target triangles are large; the result is written nevertheless
   Error_code resample_sphere(const Points& sphere, Points& result) const
   {
     using internal::operator*;
@@ -194,7 +198,7 @@ public:
     return internal::check_sphere(result, m_target_triangles, internal::execution_of<ConcurrencyTag>());
   }
 
-  /// returns whether each vertex of the target gets something: whether a source that the mask does not leave out has a weight.
+  /// returns for each target vertex whether it has a value: whether a source vertex that is included has a positive weight.
   std::vector<bool> has_value() const
   {
     std::vector<bool> result;
@@ -203,10 +207,10 @@ public:
     return result;
   }
 
-  /// returns the areas around the vertices of a surface: a third of each of its triangles.
+  /// returns the areas of the vertices of a surface: one third of the area of each incident triangle.
   ///
   /// \param points the points of the surface
-  /// \param triangles its triangles, each of which has three of these points
+  /// \param triangles its triangles, whose indices must be valid
   static std::vector<double> vertex_areas(const Points& points, const Triangles& triangles)
   {
     return internal::vertex_areas(triangles, points);

@@ -39,28 +39,32 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// makes a mesh with texture coordinates of a surface and its map to the sphere: longitude and latitude, for images of the
-/// whole globe and others in the equirectangular projection. The first coordinate goes from 0 to 1 eastwards, with the zero
-/// meridian at 0.5; the second one from 0 at the south pole to 1 at the north pole. Seen from outside, the image is not mirrored.
+/// adds a copy of a surface to a mesh, with texture coordinates computed from its map to the sphere: longitude and latitude, for
+/// images in the equirectangular projection.
 ///
-/// The ends of the image meet at the seam, the meridian opposite to the zero meridian. No face goes on beyond it: edges that
-/// cross the seam get a vertex there, and the faces on each side coordinates of their own, 0 or 1. Therefore
-/// coordinates belong to corners, not to vertices, and whether the image is repeated or clamped does not count. The poles
-/// become vertices, too, whose corners have the longitude in the middle of that of the other two corners of their faces. The
-/// new mesh is the same surface: new vertices are in edges and faces where the map has them, up to rounding, and as every
-/// edge gets its vertex once, there are no gaps.
+/// The first coordinate increases eastwards from 0 to 1, with the zero meridian at 0.5. The second one increases from 0 at the
+/// south pole to 1 at the north pole. Seen from outside, the image is not mirrored.
 ///
-/// Which faces are divided there is decided exactly, for the images and directions as they are given, whatever passes
-/// through a vertex or along an edge. Within a face, texture coordinates are interpolated linearly, while edges are mapped to
-/// arcs of great circles, which are curved in the image, most of all around the poles. Where a face is so narrow that its
-/// texture triangle would be turned over by that, edges are cut in the middle, by longest-edge propagation
-/// \cgalCite{cgal:r-nlea-97}, until all texture triangles are positively oriented: they cover the image once, but for as much
-/// as the triangles at the poles cover of it. In maps of usual surfaces, this adds one vertex to 600. It ends, with
-/// `ERROR_FOLDED_TEXTURE`, when as many vertices have been added as the mesh has, and 1000, as may happen with extreme needles.
-/// Texture triangles of faces whose images are narrower than a millionth of their length, or shorter than
-/// 1e-9 of the radius, may stay turned over, each by less than 1e-10 of the image.
+/// The left and right sides of the image meet at the seam, the meridian opposite to the zero meridian. No face crosses the seam:
+/// edges that cross it are split there, and the faces on each side have separate coordinates, 0 or 1. For this reason, texture
+/// coordinates belong to corners instead of vertices. The result does not depend on whether the image is repeated or clamped. The
+/// poles also become vertices. The longitude of a corner at a pole is the mean of the longitudes of the other two corners of its
+/// face.
 ///
-/// The running time is linear in the size of the mesh. It is only read.
+/// <b>Guarantee.</b> The new mesh is the same surface: new vertices lie on edges and faces at the points given by the map, up to
+/// rounding error. Each edge is split once for both faces, so there are no gaps. The faces that the seam and the poles divide are
+/// determined exactly for the given images and directions, even if the seam passes through vertices or along edges. All texture
+/// triangles are positively oriented, and cover the image once except for parts of the triangles at the poles, unless
+/// `ERROR_INVERTED_TEXTURE` is returned. Texture triangles of faces whose images are narrower than a millionth of their length, or
+/// shorter than 1e-9 of the radius, may remain inverted; each covers less than 1e-10 of the image.
+///
+/// Texture coordinates are interpolated linearly in a face, but edges are mapped to arcs of great circles, which are curved in
+/// the image, most of all near the poles. If this inverts the texture triangle of a narrow face, edges are split at their
+/// midpoints by longest-edge propagation \cgalCite{cgal:r-nlea-97}. In maps of typical surfaces, this adds 1 to 600 vertices. The
+/// process stops with `ERROR_INVERTED_TEXTURE` if the number of added vertices reaches the number of vertices of the mesh plus
+/// 1000, which may happen for extremely narrow faces.
+///
+/// <b>Complexity.</b> The running time is linear in the size of the mesh.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -71,13 +75,14 @@ namespace CGAL::Spherical_parameterization {
 ///         \cgal kernel
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh the surface, a closed triangle mesh of genus 0
-/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
-/// \param textured_mesh the surface is added to it: its vertices that have faces, in their order, and then new ones
+/// \param tmesh the surface, a closed triangle mesh of genus 0; it is not modified
+/// \param vertex_sphere_map its bijective map to the sphere, for example computed by `parameterize()`
+/// \param textured_mesh receives the surface in addition to its elements: the vertices of `tmesh` that have faces, in their
+///        order, followed by new vertices
 /// \param halfedge_texture_map receives the texture coordinates: for a halfedge, those of its target in its face
 /// \param north_pole the direction of the north pole, at any distance from the origin
-/// \param zero_meridian a direction in the half plane that the axis of the poles bounds and the zero meridian is in; it
-///        need not be orthogonal to `north_pole`, but not parallel to it, not even up to rounding
+/// \param zero_meridian a direction in the half plane that contains the zero meridian and is bounded by the axis of the poles. It
+///        need not be orthogonal to `north_pole`, but must not be parallel to it, not even up to rounding error
 /// \param np,np_textured optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -88,11 +93,13 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
-///         no bijection; or `ERROR_INVALID_DIRECTION` if the north pole or the zero meridian is zero, infinite or not a
-///         number, or if they are parallel. Nothing is added then. Or `ERROR_FOLDED_TEXTURE`: the mesh and the coordinates are
-///         complete, but some texture triangles are turned over. What is thrown, for want of memory or by property maps of the
-///         caller, is passed on; `textured_mesh` has the vertices, edges and faces that it had then.
+/// \return `OK`; a defect of the mesh, see `find_defect()`, or of its map: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective; or
+///         `ERROR_INVALID_DIRECTION` if the north pole or the zero meridian is zero, infinite or not a number, or if they are
+///         parallel. Nothing is added in these cases. `ERROR_INVERTED_TEXTURE` is returned if the mesh and the coordinates are
+///         complete, but some texture triangles are inverted.
+///
+/// <b>Exceptions.</b> Exceptions caused by lack of memory or thrown by property maps of the caller are passed on;
+/// `textured_mesh` then has its original vertices, edges and faces.
 ///
 /// \sa `CGAL::Spherical_parameterization::IO::write_OBJ()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap,
@@ -130,11 +137,11 @@ Error_code compute_texture_coordinates(
   internal::add_triangles(
       cut.triangles(), cut.points().size(), textured_mesh, [&](const auto& new_vertices, const auto& new_faces) {
         internal::write_vectors(new_point_map, new_vertices, [&](std::size_t v) { return cut.points()[v]; });
-        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v) // which may be more exact
+        for(std::size_t v = 0; v < mesh.vertices_of_mesh.size(); ++v) // whose points may be more exact
           put(new_point_map, new_vertices[v], convert(get(point_map, mesh.vertices_of_mesh[v])));
         for(std::size_t t = 0; t < new_faces.size(); ++t)
         {
-          auto h = halfedge(new_faces[t], textured_mesh); // to the corner 1
+          auto h = halfedge(new_faces[t], textured_mesh); // its target is corner 1
           for(const std::size_t i : {1u, 2u, 0u})
           {
             const auto uv = cut.coordinates(t, i);
@@ -143,7 +150,7 @@ Error_code compute_texture_coordinates(
           }
         }
       });
-  return cut.is_complete() ? OK : ERROR_FOLDED_TEXTURE;
+  return cut.is_complete() ? OK : ERROR_INVERTED_TEXTURE;
 }
 
 } // namespace CGAL::Spherical_parameterization

@@ -40,33 +40,34 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// The distances between two surfaces, in the unit of their coordinates: what `measure_distance()` measures.
+/// The class `Surface_distance` contains the distances between two surfaces measured by `measure_distance()`, in the unit of
+/// their coordinates.
 struct Surface_distance
 {
-  /// Distances from places of one surface to the nearest places of the other one
+  /// The distances from points of one surface to the nearest points of the other one
   struct One_way
   {
-    double root_mean_square = 0.; ///< Root of the mean of their squares
-    double maximum = 0.;          ///< The largest one
+    double root_mean_square = 0.; ///< The root mean square
+    double maximum = 0.;          ///< The maximum
   };
 
-  One_way from_first;   ///< From the first surface to the second one
-  One_way from_second;  ///< From the second surface to the first one
-  double diagonal = 0.; ///< Length of the diagonal of the bounding box of the first surface
+  One_way from_first;   ///< The distances from the first surface to the second one
+  One_way from_second;  ///< The distances from the second surface to the first one
+  double diagonal = 0.; ///< The length of the diagonal of the bounding box of the first surface
 
-  /// returns the peak signal-to-noise ratio in decibels: twenty decadic logarithms of the diagonal over the larger one of
-  /// the two root mean squares. It is infinite if these are 0.
+  /// returns the peak signal-to-noise ratio in decibels: \f$ 20 \log_{10} \f$ of the diagonal divided by the larger root mean
+  /// square. It is infinite if both root mean squares are 0.
   double psnr() const
   {
     const double larger = (std::max)(from_first.root_mean_square, from_second.root_mean_square);
-    constexpr double decibels = 8.685889638065037; // twenty over the natural logarithm of ten
+    constexpr double decibels = 8.685889638065037; // 20 divided by the natural logarithm of 10
     return larger > 0. ? decibels * internal::logarithm(diagonal / larger) : std::numeric_limits<double>::infinity();
   }
 };
 
 namespace internal {
 
-// Appends the corners of the faces of a mesh, which may have a border.
+// Appends the corners of the faces of a mesh, which may have a boundary.
 template <class TriangleMesh, class VertexPointMap>
 Error_code append_corners(const TriangleMesh& tmesh, const VertexPointMap& vpm, std::vector<Vector_3d>& corners)
 {
@@ -83,7 +84,8 @@ Error_code append_corners(const TriangleMesh& tmesh, const VertexPointMap& vpm, 
   return OK;
 }
 
-// The distance between the triangles with the first `n_first` corners and the others, by as many samples of each.
+// Measures the distance between the triangles with the first `n_first` corners and the other ones, with this many samples on
+// each surface.
 Error_code measure_distance(std::vector<Vector_3d> corners, std::size_t n_first,
                             const std::array<std::size_t, 2>& n_samples, Surface_distance& distance,
                             Run_control& control, const Execution& execution);
@@ -92,11 +94,13 @@ Error_code measure_distance(std::vector<Vector_3d> corners, std::size_t n_first,
 
 /// \ingroup PkgSphericalParameterizationMeasuring
 ///
-/// measures how far two surfaces are apart, such as a surface and its remesh: from places of each, spread evenly over its
-/// area, to the nearest places of the other one. The places are always the same for the same meshes; on a surface without
-/// an area, each face has as many. The surfaces need not be closed. Coordinates of any magnitude are treated alike.
+/// measures the distance between two surfaces, such as a surface and its remesh: from sample points that are evenly distributed
+/// over the area of each surface to the nearest points of the other one.
 ///
-/// The running time is \f$ O((n + k) \log n) \f$ for `n` faces and `k` places, as a rule.
+/// The sample points depend only on the meshes. If a surface has no area, each face has the same number of sample points. The
+/// surfaces need not be closed. Coordinates of any magnitude are supported.
+///
+/// <b>Complexity.</b> The running time is usually \f$ O((n + k) \log n) \f$ for \f$ n \f$ faces and \f$ k \f$ sample points.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
@@ -113,12 +117,12 @@ Error_code measure_distance(std::vector<Vector_3d> corners, std::size_t n_first,
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_points_on_faces}
-///     \cgalParamDescription{the number of places of `tmesh1`, or `tmesh2`}
+///     \cgalParamDescription{the number of sample points on `tmesh1`, or `tmesh2`}
 ///     \cgalParamType{an integer}
 ///     \cgalParamDefault{`30000`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamDescription{of `np1`: a visitor whose function `go_further()` may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -129,8 +133,9 @@ Error_code measure_distance(std::vector<Vector_3d> corners, std::size_t n_first,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; `ERROR_NON_TRIANGULAR_MESH`, `ERROR_EMPTY_MESH`, `ERROR_TOO_LARGE_MESH` or `ERROR_NON_FINITE_COORDINATE`,
-///         `ERROR_WRONG_PARAMETER` if a number of places is below 1, and `ERROR_STOPPED`: then `distance` is as it was
+/// \return `OK`; `ERROR_NON_TRIANGULAR_MESH`; `ERROR_EMPTY_MESH`; `ERROR_TOO_LARGE_MESH`; `ERROR_NON_FINITE_COORDINATE`;
+///         `ERROR_WRONG_PARAMETER` if a number of sample points is less than 1; or `ERROR_STOPPED`. `distance` is not changed if
+///         an error is returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class TriangleMesh2,

@@ -60,16 +60,19 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// samples a surface at the directions of a domain \cgalCite{cgal:ph-spr-03} - makes a mesh that has the triangles of the domain,
-/// and its vertices at the places of the surface that have their directions, see `Sphere_locator_3`. So the connectivity is
-/// regular, if the domain is; the number of vertices is chosen; and the new mesh corresponds to the surface one-to-one by the
-/// sphere. It is close to it where samples are dense: maps made with `Stretch_energy_3` spread them most evenly over the
-/// surface. `measure_distance()` tells how close it is. Nothing excludes that it intersects itself where it is too coarse.
+/// resamples a surface at the directions of a domain, as in \cgalCite{cgal:ph-spr-03}, and adds a mesh with the triangles of the domain,
+/// whose vertices are the surface points in the directions of the domain, see `Sphere_locator_3`.
 ///
-/// If both meshes are of class `Surface_mesh`, the properties of vertices and faces are carried over, too; see
-/// `transfer()`, which does it for others.
+/// The connectivity is regular if the domain is regular, and the domain determines the number of vertices. The new mesh
+/// corresponds to the surface one-to-one through the sphere. It is close to the surface where samples are dense: maps computed
+/// with `Stretch_energy_3` distribute samples most evenly over the surface. `measure_distance()` measures the distance. There is
+/// no guarantee that the new mesh has no self-intersections where it is too coarse.
 ///
-/// The running time is linear in the size of the mesh and the domain, but for what `Sphere_locator_3` says.
+/// If both meshes are of class `Surface_mesh`, the properties of vertices and faces are transferred as well. For other meshes and
+/// property maps, see `transfer()`.
+///
+/// <b>Complexity.</b> The running time is linear in the size of the mesh and of the domain, with the exceptions described for
+/// `Sphere_locator_3`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -80,10 +83,10 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
 /// \param tmesh the surface, a closed triangle mesh of genus 0
-/// \param vertex_sphere_map its map to the sphere, a bijection, such as `parameterize()` makes
-/// \param domain what the sphere is sampled with
-/// \param remesh the new mesh is added to it, its vertices and faces in the order of the domain
-/// \param remesh_sphere_map receives the directions of the new vertices: the map of the new mesh to the sphere
+/// \param vertex_sphere_map its bijective map to the sphere, for example computed by `parameterize()`
+/// \param domain the sampling pattern
+/// \param remesh the new mesh is added to it, with vertices and faces in the order of the domain
+/// \param remesh_sphere_map receives the directions of the new vertices, which are the map of the new mesh to the sphere
 /// \param np,np_remesh optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -93,14 +96,14 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`, and of `remesh`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_normal_map}
-///     \cgalParamDescription{of `remesh` only: a property map that receives the normals of the surface at the new
-///                           vertices, interpolated between its vertices, which have those of their faces, weighted
-///                           with the areas. They have length 1, or 0 where there is no area.}
+///     \cgalParamDescription{of `remesh` only: a property map that receives the normals of the surface at the new vertices.
+///                           They are interpolated between the vertex normals of the surface, which are averages of face
+///                           normals weighted with areas. They have length 1, or 0 where there is no area.}
 ///     \cgalParamType{a class model of `WritablePropertyMap` with `%Vector_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{normals are not computed}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{of `np`: a visitor whose `go_further()`, asked between the stages, may stop the run}
+///     \cgalParamDescription{of `np`: a visitor whose function `go_further()` is called between the stages, and may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -111,10 +114,12 @@ inline std::vector<Vector_3d> vertex_normals(std::vector<Vector_3d> points,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; what is wrong with the mesh, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is
-///         no bijection; `ERROR_INVALID_DOMAIN` if the domain is empty; or `ERROR_STOPPED`. Nothing is added then. What is thrown, for want of
-///         memory or by property maps of the caller, is passed on; `remesh` has the vertices, edges and faces that it had then,
-///         but properties of their own may have been added to a `Surface_mesh`, and it may have garbage.
+/// \return `OK`; a defect of the mesh, see `find_defect()`, or of its map: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective;
+///         `ERROR_INVALID_DOMAIN` if the domain is empty; or `ERROR_STOPPED`. Nothing is added if an error is returned.
+///
+/// <b>Exceptions.</b> Exceptions caused by lack of memory or thrown by property maps of the caller are passed on; `remesh` then
+/// has its original vertices, edges and faces. If it is a `Surface_mesh`, properties may have been added, and it may contain
+/// garbage elements.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, class VertexSphereMap, class Remesh,
           class RemeshSphereMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
 Error_code remesh_through_sphere(const TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -34,11 +34,12 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-// Reads both meshes and calls carry(carrier).
+// Reads both meshes, computes the weights, and calls carry(carrier).
 template <class ConcurrencyTag, class SourceMesh, class SourceSphereMap, class TargetMesh, class TargetSphereMap,
           class NamedParameters, class Carry>
-Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& source_sphere, const TargetMesh& target,
-                            const TargetSphereMap& target_sphere, const NamedParameters& np_source, const Carry& carry)
+Error_code transfer_properties(const SourceMesh& source, const SourceSphereMap& source_sphere, const TargetMesh& target,
+                               const TargetSphereMap& target_sphere, const NamedParameters& np_source,
+                               const Carry& carry)
 {
   using Source = Mesh_on_sphere<SourceMesh, SourceSphereMap>;
   using Target = Mesh_on_sphere<TargetMesh, TargetSphereMap>;
@@ -77,54 +78,56 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// carries properties from one mesh to another one that has a map to the same sphere: two surfaces, a surface and a mesh of
-/// the sphere, or the other way round.
+/// transfers properties from one mesh to another one that has a map to the same sphere, for example from a surface to a mesh of
+/// the sphere or vice versa.
 ///
-/// - A vertex of the target gets the interpolated value of the place of the source that has its direction; see
-///   `Sphere_locator_3`. Where the target is coarser, that would leave out most values of the source: if all vertices
-///   that would be interpolated are inside the star of the vertex, it gets the average of all vertices that are,
-///   weighted with the area around them on the surface and with their barycentric coordinate for the vertex. The adaptive
-///   barycentric resampling of cortical surfaces \cgalCite{cgal:gswcfawxjp-mpphcp-13} also has these two cases; it averages if
-///   one of the vertices is inside the star, and its weights balance the areas of both surfaces.
-/// - A face of the target gets the value of the face of the source that has the direction of its centre, which is the sum
-///   of its vertices' directions. If the centre of that face is in the face of the target as well, it gets the average
-///   of all faces whose centres are, weighted with their areas.
-/// - A mesh gets from itself what it has, to the bit, and so does each vertex of the target whose direction is that of a
-///   vertex of the source, unless it gets an average.
+/// - A target vertex receives the value interpolated at the source point in its direction, see `Sphere_locator_3`. If the target
+///   is coarser, this would ignore most source values. Therefore, if all interpolated source vertices are inside the star of
+///   the target vertex, it receives the average of all source vertices inside the star, weighted with their area on the surface
+///   and with their barycentric coordinate for the target vertex. The adaptive barycentric resampling of cortical surfaces
+///   \cgalCite{cgal:gswcfawxjp-mpphcp-13} distinguishes the same two cases. It averages if one of the vertices is inside the star,
+///   and its weights balance the areas of both surfaces.
+/// - A target face receives the value of the source face that contains the direction of its center, the sum of the directions of
+///   its vertices. If the center of that source face is inside the target face as well, the target face receives the average of
+///   all source faces whose centers are inside it, weighted with their areas.
+/// - The transfer from a mesh to itself is exact to the bit. A target vertex whose direction is that of a source vertex receives
+///   the exact value of this vertex, unless it receives an average.
 ///
-/// Values of these types are interpolated and averaged: floating-point numbers, `%Point_2`, `%Vector_2`, `%Point_3` and
-/// `%Vector_3` of a \cgal kernel, `CGAL::IO::Color`, and `std::array` and `std::vector` of any of them; a vector is taken to
-/// go on with 0. All other ones, such as `int`, `bool`, enumerations and strings, are labels, of which the one with the
-/// largest sum of weights is carried over: they have an order, by `std::less`.
+/// Values of the following types are interpolated and averaged: floating-point numbers, `%Point_2`, `%Vector_2`, `%Point_3` and
+/// `%Vector_3` of a \cgal kernel, `CGAL::IO::Color`, and `std::array` and `std::vector` of these types; shorter vectors are
+/// extended with 0. All other values, such as `int`, `bool`, enumerations and strings, are labels: the label with the largest
+/// sum of weights is transferred. Labels must be comparable by `std::less`.
 ///
-/// The running time is linear in the size of the meshes, but for what `Sphere_locator_3` says, and for labels, which are sorted
-/// where they are averaged. The meshes are copied once for all properties. Maps are read and written by the calling thread alone.
+/// <b>Complexity.</b> The running time is linear in the size of the meshes, with the exceptions described for
+/// `Sphere_locator_3`, and except for labels, which are sorted where they are averaged. The meshes are copied once for all
+/// properties. Only the calling thread reads and writes property maps.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam SourceMesh,TargetMesh models of `FaceListGraph`
 /// \tparam SourceSphereMap a model of `ReadablePropertyMap` from the vertices of `SourceMesh` to `%Point_3` of a \cgal
 ///         kernel; its coordinates are of type `double` or `float`, or of an exact number type
-/// \tparam TargetSphereMap the same for the target; its coordinates are of type `double` or `float` if those of the source
-///         are, or else of the same type
+/// \tparam TargetSphereMap the same for the target; its coordinates are of type `double` or `float` if those of the source are,
+///         and otherwise of the same type as those of the source
 /// \tparam SourceMap a model of `ReadablePropertyMap` whose key type is the vertex descriptor or the face descriptor of
 ///         the source
-/// \tparam TargetMap a model of `WritablePropertyMap` whose key type is the vertex descriptor or the face descriptor of
-///         the target, accordingly, and whose value type is that of the `SourceMap` or one that this can be converted to
+/// \tparam TargetMap a model of `WritablePropertyMap` whose key type is the vertex descriptor or the face descriptor of the
+///         target, accordingly, and whose value type is that of `SourceMap`, or a type to which it can be converted
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param source,target the mesh that has the properties, and the one that gets them
+/// \param source,target the mesh with the properties, and the mesh that receives them
 /// \param source_sphere,target_sphere the images of their vertices, at any distance from the origin
-/// \param properties for each property, the map of the source and the map of the target
+/// \param properties for each property, the property map of the source and the property map of the target
 /// \param np_source an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `source`, for areas}
+///     \cgalParamDescription{a property map associating points to the vertices of `source`, used for areas}
 ///     \cgalParamType{a class model of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, source)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{of `np_source`: a visitor whose `go_further()`, asked between the stages, may stop the run}
+///     \cgalParamDescription{of `np_source`: a visitor whose function `go_further()` is called between the stages, and may stop
+///                           the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -135,8 +138,9 @@ Error_code carry_properties(const SourceMesh& source, const SourceSphereMap& sou
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; or what is wrong with the source, or else the target, see `find_defect()`, or with its map to the sphere:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; or `ERROR_STOPPED`. Nothing is written then.
+/// \return `OK`; a defect of the source, or of the target if the source has none, see `find_defect()`, or of its map to the
+///         sphere: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective; or `ERROR_STOPPED`. Nothing is written if an error is
+///         returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::remesh_through_sphere()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
@@ -145,7 +149,7 @@ Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, con
                     TargetSphereMap target_sphere, const std::tuple<std::pair<SourceMap, TargetMap>...>& properties,
                     const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
-  return internal::carry_properties<ConcurrencyTag>(
+  return internal::transfer_properties<ConcurrencyTag>(
       source, source_sphere, target, target_sphere, np_source, [&](auto& carrier) {
         std::apply([&](const auto&... maps) { (carrier.carry(maps.first, maps.second), ...); }, properties);
       });
@@ -153,7 +157,7 @@ Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, con
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// carries one property.
+/// transfers one property as the function above does.
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourceMesh, class SourceSphereMap, class TargetMesh,
           class TargetSphereMap, class SourceMap, class TargetMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, const TargetMesh& target,
@@ -165,11 +169,13 @@ Error_code transfer(const SourceMesh& source, SourceSphereMap source_sphere, con
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// carries all properties of the vertices and faces of a `Surface_mesh`: those whose values are numbers of any type,
-/// `bool`, `std::string`, `CGAL::IO::Color`, `%Point_2`, `%Vector_2`, `%Point_3` or `%Vector_3` of the kernel of the
-/// mesh's points, `std::array<double, 2>`, `std::array<double, 3>` or `std::vector<double>`. The target gets properties
-/// of the same names, in the place of those that it has if they are of the same type. The points of the meshes stay as
-/// they are, and so do `source_sphere` and `target_sphere` if they are property maps of the meshes.
+/// transfers all properties of the vertices and faces of a `Surface_mesh` whose values are numbers of any type, `bool`,
+/// `std::string`, `CGAL::IO::Color`, `%Point_2`, `%Vector_2`, `%Point_3` or `%Vector_3` of the kernel of the points of the
+/// mesh, `std::array<double, 2>`, `std::array<double, 3>` or `std::vector<double>`.
+///
+/// The target receives properties with the same names. Existing properties with the same name and type are overwritten. The
+/// points of the meshes are not changed, and neither are `source_sphere` and `target_sphere` if they are property maps of the
+/// meshes.
 ///
 /// \tparam SourcePoint,TargetPoint `%Point_3` of a \cgal kernel
 template <class ConcurrencyTag = Parallel_if_available_tag, class SourcePoint, class SourceSphereMap, class TargetPoint,
@@ -178,7 +184,7 @@ Error_code transfer(const Surface_mesh<SourcePoint>& source, SourceSphereMap sou
                     Surface_mesh<TargetPoint>& target, TargetSphereMap target_sphere,
                     const CGAL_NP_CLASS& np_source = parameters::default_values())
 {
-  return internal::carry_properties<ConcurrencyTag>(
+  return internal::transfer_properties<ConcurrencyTag>(
       source, source_sphere, target, target_sphere, np_source,
       [&](auto& carrier) { internal::transfer_all_properties(carrier, source, source_sphere, target, target_sphere); });
 }

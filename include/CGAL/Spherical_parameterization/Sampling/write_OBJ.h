@@ -38,18 +38,21 @@ namespace CGAL::Spherical_parameterization::IO {
 
 /// \ingroup PkgSphericalParameterizationSampling
 ///
-/// writes a mesh with texture coordinates in the OBJ format: vertices (`v`) and faces (`f`) in the order of the mesh, and
-/// texture coordinates (`vt`), each of them once. Numbers have 17 digits, so that reading them gives the same doubles.
+/// writes a mesh with texture coordinates in the OBJ format: vertices (`v`) and faces (`f`) in the order of the mesh, and each
+/// distinct pair of texture coordinates (`vt`) once. Numbers have 17 digits, so that reading them restores the same values of
+/// type `double`.
+///
+/// <b>Complexity.</b> The expected running time is linear in the size of the mesh.
 ///
 /// \tparam Graph a model of `FaceListGraph`
 /// \tparam HalfedgeTextureMap a model of `ReadablePropertyMap` with
 ///         `boost::graph_traits<Graph>::%halfedge_descriptor` as key type and `%Point_2` of a \cgal kernel as value type
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param out the file; a stream with the classic locale and formatting flags, which are those it has by default
+/// \param out the output stream, with default formatting flags; its locale and precision are restored afterwards
 /// \param g the mesh
-/// \param halfedge_texture_map for a halfedge, the texture coordinates of its target in its face, such as
-///        `compute_texture_coordinates()` makes
+/// \param halfedge_texture_map for a halfedge, the texture coordinates of its target in its face, for example computed by
+///        `compute_texture_coordinates()`
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
@@ -60,7 +63,7 @@ namespace CGAL::Spherical_parameterization::IO {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`, or `ERROR_CANNOT_WRITE_FILE` if not all has been written
+/// \return `OK`, or `ERROR_CANNOT_WRITE_FILE` if the stream fails
 template <class Graph, class HalfedgeTextureMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfedge_texture_map,
                      const CGAL_NP_CLASS& np = parameters::default_values())
@@ -81,7 +84,7 @@ Error_code write_OBJ(std::ostream& out, const Graph& g, HalfedgeTextureMap halfe
   }
 
   boost::unordered_map<std::pair<double, double>, std::size_t> numbers;
-  std::vector<std::size_t> corners; // the number of the coordinates of each, face by face
+  std::vector<std::size_t> corners; // the indices of their texture coordinates, face by face
   for(const auto f : faces(g))
     for(const auto h : halfedges_around_face(halfedge(f, g), g))
     {

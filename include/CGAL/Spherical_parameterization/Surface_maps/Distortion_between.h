@@ -22,17 +22,19 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The distortion of a map between two surfaces, both scaled to the same area. With \f$ s_1 \leq s_2 \f$ the singular values
-/// of its linear part in a triangle, all measures are the same for the map and for its inverse; their averages are weighted
-/// with areas, and so they depend on which of the two surfaces that is.
+/// The class `Distortion_between` contains the distortion of a map between two surfaces, both scaled to the same area.
+///
+/// \f$ s_1 \leq s_2 \f$ are the singular values of the linear part of the map in a triangle of the common refinement. Each
+/// measure has the same value for the map and for its inverse. The averages are weighted with areas, so they depend on
+/// the surface on which areas are measured.
 struct Distortion_between
 {
-  /// Statistics of one measure
+  /// The statistics of one measure
   struct Statistics
   {
-    double maximum = 0.;             ///< The largest value
-    double average_over_first = 0.;  ///< The mean, weighted with areas on the first surface
-    double average_over_second = 0.; ///< The mean, weighted with areas on the second surface
+    double maximum = 0.;             ///< The maximum
+    double average_over_first = 0.;  ///< The mean weighted with areas on the first surface
+    double average_over_second = 0.; ///< The mean weighted with areas on the second surface
   };
 
   Statistics isometric; ///< \f$ \max(s_2, 1 / s_1) \f$
@@ -40,8 +42,8 @@ struct Distortion_between
   Statistics angle;     ///< \f$ s_1 / s_2 + s_2 / s_1 \f$
   Statistics energy;    ///< \f$ ( s_1^2 + s_2^2 + 1 / s_1^2 + 1 / s_2^2 ) / 2 \f$, the symmetric Dirichlet energy
 
-  std::size_t number_of_triangles = 0; ///< All triangles of the refinement
-  std::size_t number_of_slivers = 0;   ///< Those that are left out because they are too small
+  std::size_t number_of_triangles = 0; ///< The number of triangles of the refinement
+  std::size_t number_of_slivers = 0;   ///< The number of triangles that are excluded because they are too small
 };
 
 } // namespace CGAL::Spherical_parameterization

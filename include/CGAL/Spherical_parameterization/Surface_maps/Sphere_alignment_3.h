@@ -25,28 +25,32 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The rotations that bring the sphere of one surface onto the sphere of another one: what `align_spheres()` finds.
+/// The class `Sphere_alignment_3` contains the result of `align_spheres()`: the rotations that best align the sphere of one
+/// surface with the sphere of another surface.
 struct Sphere_alignment_3
 {
   /// Type of a rotation about the origin
   using Rotation_3 = CGAL::Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>;
 
-  /// A rotation, and how well the surfaces agree by it
+  /// A rotation and its score
   struct Candidate
   {
-    Rotation_3 rotation; ///< Of the first sphere
-    double score;        ///< Correlation of the features, at most 1
+    Rotation_3 rotation; ///< The rotation of the first sphere
+    double score;        ///< The correlation of the features of the rotated surfaces, at most 1
   };
 
-  /// The best rotations that differ by 20 degrees or more, at most four, the best one first
+  /// The best rotations, at most four, at least 20 degrees apart, in the order of decreasing score
   std::vector<Candidate> candidates;
 
-  /// Whether the visitor or the time limit has ended the search: the candidates are the best of what has been tried by then,
-  /// at worst the identity alone, with the score 0
+  /// Whether the visitor or the time limit has stopped the search. The candidates are then the best rotations found so far,
+  /// at least the identity with score 0.
   bool is_stopped = false;
 
-  /// returns how much higher the score of the best candidate is than that of the second best, or than 0 if there is one only.
-  /// A margin below 0.1 or so means that the surface has a symmetry, or nearly: then look at both.
+  /// returns the difference between the scores of the best and the second best candidate, or the score of the best
+  /// candidate if it is the only one.
+  ///
+  /// A margin below about 0.1 indicates an exact or approximate symmetry of the surface. The alignment is then ambiguous,
+  /// and both candidates should be examined.
   double margin() const
   {
     if(candidates.empty())

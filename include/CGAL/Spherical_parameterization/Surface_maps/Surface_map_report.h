@@ -27,58 +27,63 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// What `map_surface()` has found.
+/// The class `Surface_map_report` contains the results of `map_surface()`.
 struct Surface_map_report
 {
-  /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. 2 is an
-  /// isometry, up to scale; infinite if a surface has no area; 0 if it has not been measured: the run had been stopped, or
-  /// doubles could hold the start alone.
+  /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. It is 2 for
+  /// an isometry up to scale. It is infinite if a surface has no area. It is 0 if it has not been measured, because the run
+  /// was stopped or because double precision suffices for the start only.
   double energy = 0.;
 
-  /// The distortion of the map, as `measure_distortion_between()` has it; none if the energy has not been measured, or by samples
+  /// The distortion of the map as measured by `measure_distortion_between()`; none if the energy has not been measured, or
+  /// has been measured by samples
   std::optional<Distortion_between> distortion;
 
-  /// Whether it has been measured at samples in each face instead, as the refinement has more vertices than `overlay()`
-  /// makes by default. That misses a part of the energy near vertices: 5 to 15 percent of all where both were measured.
+  /// Whether the energy was measured at samples in each face, because the common refinement exceeds the default bound of
+  /// `overlay()`. Samples miss a part of the energy near vertices: 5 to 15 percent of the total where both were measured.
   bool is_energy_sampled = false;
 
-  /// How well features agree after the surfaces have been aligned on coarse levels, a correlation, at most 1; 0 if landmarks
-  /// alone rotated the spheres, as features did not agree
+  /// The correlation of the features after the surfaces have been aligned on coarse levels, at most 1. It is 0 if the
+  /// rotation was determined by landmarks alone because the features did not agree.
   double agreement = 0.;
 
-  /// How much better the alignment is than the next best one that differs from it: those that are nearly as good on coarse surfaces are
-  /// compared on a finer level, in agreement less 0.15 times how much is stretched, the mean root of the logarithm of half the symmetric
-  /// Dirichlet energy. At least 0.15 if no other one came that near
+  /// The difference between the scores of the chosen alignment and of the best alternative, at most 0.15. The value 0.15
+  /// means that no alternative is closer. Alternatives that are nearly as good on coarse surfaces are compared on a finer
+  /// level. There, the score is the agreement of the features minus 0.15 times the mean stretching, which is the mean of
+  /// \f$ \sqrt{\log(E / 2)} \f$ for the symmetric Dirichlet energy \f$ E \f$, and minus the mean distance from the landmarks.
   double margin = 0.;
 
-  /// How far the images of vertices are expected to be from where they should be, over the root of the area of the second surface, in
-  /// the mean over the first one; `Surface_mapper_3::get_expected_errors()` has that of each vertex. It is estimated from how far
-  /// features differ, over how fast they change on the surface; how far images have moved during the descent; how well the surfaces
-  /// agree; and how far away images are by other alignments that are nearly as good. There is none for features of a caller, if
-  /// landmarks alone rotated the spheres, if the alignment is kept, or if it was stopped
+  /// The expected distance between the images of vertices and the correct corresponding points, divided by the square root
+  /// of the area of the second surface: the mean over the first surface. `Surface_mapper_3::get_expected_errors()` writes the
+  /// value of each vertex. There is no estimate if the caller has provided features, if the rotation was determined by
+  /// landmarks alone, if the alignment was kept, or if the alignment was stopped. For the form of the estimate, see
+  /// \ref PkgSphericalParameterizationHowItWorks.
   std::optional<double> expected_error;
 
-  /// Whether the alignment is ambiguous, so that the map may be a half-turn off: the expected error is above 0.105. For features of a
-  /// caller: they agree by less than 0.73, or the margin is below 0.1. So it is if the alignment was stopped, or doubles could not hold
-  /// coarse surfaces. Look at the map, or give landmarks. It is never so if landmarks alone rotated the spheres, or the alignment is kept
+  /// Whether the alignment is ambiguous, so that the map may be off by a half-turn. This holds if the expected error is above
+  /// 0.105. For features of the caller, it holds if their agreement is below 0.73 or the margin is below 0.1. It also holds if
+  /// the alignment was stopped, or if the coarse surfaces cannot be represented in double precision. Inspect the map in this
+  /// case, or provide landmarks. The value is `false` if the rotation was determined by landmarks alone, or if the alignment
+  /// was kept.
   bool is_uncertain = false;
 
-  /// For each landmark, how far its image is from where it should be, in the unit of length of the second surface; 0 if
-  /// it is there but for rounding
+  /// For each landmark, the distance between its image and the corresponding vertex, in the unit of length of the second
+  /// surface; 0 if the landmark is met up to rounding error
   std::vector<double> landmark_distances;
 
-  /// How many hard landmarks could not be met
+  /// The number of hard landmarks that are not met
   std::size_t number_of_missed_landmarks = 0;
 
-  /// Why the last level was left: `CONVERGED`, also for surfaces that agree as they are; `ITERATION_LIMIT`; `STOPPED` or
-  /// `TIME_LIMIT`; `OBSTRUCTED` if doubles could not hold the descent, so that the map is the one from which it started
+  /// The reason why the descent on the last level ended: `CONVERGED`, also for surfaces that agree as given;
+  /// `ITERATION_LIMIT`; `STOPPED`; `TIME_LIMIT`; or `OBSTRUCTED` if double precision does not suffice for the descent, so that
+  /// the map is its start
   Stop_reason stop_reason = NOT_RUN;
 
-  std::size_t number_of_sweeps = 0;  ///< over levels of the first surface
-  double seconds_for_reading = 0.;   ///< to read both surfaces, and to certify their maps
-  double seconds_for_alignment = 0.; ///< to align the surfaces
-  double seconds_for_descent = 0.;   ///< to lower the energy
-  double seconds_for_overlay = 0.;   ///< to measure it, as a rule on the common refinement
+  std::size_t number_of_sweeps = 0;  ///< The number of sweeps over levels of the first surface
+  double seconds_for_reading = 0.;   ///< The time for reading both surfaces and certifying their maps
+  double seconds_for_alignment = 0.; ///< The time for aligning the surfaces
+  double seconds_for_descent = 0.;   ///< The time for minimizing the energy
+  double seconds_for_overlay = 0.;   ///< The time for measuring the energy, usually on the common refinement
 };
 
 } // namespace CGAL::Spherical_parameterization

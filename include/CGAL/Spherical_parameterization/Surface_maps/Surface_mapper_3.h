@@ -35,10 +35,12 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The method of `map_surface()`, with what is known of two surfaces before. Settings are chained, each returning a copy;
-/// what is left out, it finds itself. The map is given by images of vertices on a common sphere
-/// \cgalCite{cgal:scbk-ismccm-20}, and its symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} is lowered from coarse to fine
-/// \cgalCite{cgal:saph-ism-04}.
+/// The class `Surface_mapper_3` implements the method of `map_surface()`, and holds its settings: landmarks, features, masks
+/// and weights. All settings are optional.
+///
+/// The map is represented by the images of the vertices of the first surface on the sphere of the second one
+/// \cgalCite{cgal:scbk-ismccm-20}. Its symmetric Dirichlet energy \cgalCite{cgal:ss-bpfb-15} is minimized from coarse to fine
+/// levels \cgalCite{cgal:saph-ism-04}. See \ref PkgSphericalParameterizationHowItWorks for details.
 ///
 /// \tparam TriangleMesh1,TriangleMesh2 the types of the surfaces
 template <class TriangleMesh1, class TriangleMesh2 = TriangleMesh1>
@@ -49,73 +51,91 @@ public:
   using Vertex_1 = typename boost::graph_traits<TriangleMesh1>::vertex_descriptor;
   /// Type of a vertex of the second surface
   using Vertex_2 = typename boost::graph_traits<TriangleMesh2>::vertex_descriptor;
-  /// Type of vertices that correspond
+  /// Type of a landmark: a vertex of the first surface and the corresponding vertex of the second surface
   using Landmark = std::pair<Vertex_1, Vertex_2>;
   /// Type of a feature: its values at the vertices of both surfaces
   using Feature = std::pair<std::function<double(Vertex_1)>, std::function<double(Vertex_2)>>;
-  /// Type of masks: whether each surface counts at a vertex; everywhere if a function is empty
+  /// Type of masks: functions that return whether a vertex of the first or of the second surface is included. If a function
+  /// is empty, all vertices are included.
   using Masks = std::pair<std::function<bool(Vertex_1)>, std::function<bool(Vertex_2)>>;
 
   /// \name Settings
-  /// Each function returns a mapper with one setting changed, so that they can be chained.
+  /// Each function returns a copy of the mapper with one setting changed, so that calls can be chained.
   /// @{
 
-  /// sets vertices that correspond. They lead the alignment of the surfaces together with features, and choose among what is found. If
-  /// features agree by less than 0.5 in the end, and there are two or more in different directions, these alone rotate the spheres.
+  /// sets the landmarks.
+  ///
+  /// Landmarks guide the alignment together with features, and contribute to the score of the candidates. If the final
+  /// agreement of the features is below 0.5, and at least two landmarks have different directions, the rotation is determined
+  /// by landmarks alone.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_landmarks = std::move(landmarks); });
   }
 
-  /// makes landmarks soft: the mean of their squared distances, on a sphere of radius 1, is added to the mean energy, times
-  /// `weight`, which has to be positive; 10 is a strong one. By default they are met exactly, but where straight edges do
-  /// not allow for it.
+  /// makes landmarks soft: the mean of their squared distances on the unit sphere, times `weight`, is added to the mean energy.
+  ///
+  /// By default, landmarks are hard: they are met exactly, unless the straight edges of the first mesh do not allow it.
+  ///
+  /// \param weight a positive number; 10 is a strong weight
   [[nodiscard]] Surface_mapper_3 landmark_weight(double weight) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.landmark_weight = weight; });
   }
 
-  /// sets features of the surfaces that are to agree. Only the order of their values counts, unless `compare_values()` says
-  /// otherwise. By default the package has its own.
+  /// sets the features that are compared. By default, the features of the package are used.
+  ///
+  /// Only the order of the values of a feature matters, unless `compare_values()` is set.
   [[nodiscard]] Surface_mapper_3 features(std::vector<Feature> features) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_features = std::move(features); });
   }
 
-  /// sets how much `features()` count beside each other by their `weights`, one for each, at least 0 and not all 0. By default all
-  /// count the same.
+  /// sets the relative weights of the `features()`. By default, all features have the same weight.
+  ///
+  /// \param weights one weight for each feature, non-negative and not all 0
   [[nodiscard]] Surface_mapper_3 feature_weights(std::vector<double> weights) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weights = std::move(weights); });
   }
 
-  /// compares the values of `features()` and not their ranks, if `compares_values` is `true`: less the mean over both surfaces,
-  /// in units of the root of three times their variance, such that they spread as ranks do. It is for what means the same on
-  /// both, such as a thickness; ranks also suit what is on another scale on the other surface, or has outliers.
+  /// compares the values of `features()` instead of their ranks, if `compares_values` is `true`.
+  ///
+  /// The mean over both surfaces is subtracted from the values, and the result is divided by the square root of three times
+  /// their variance, so that the values have the variance of ranks. Compare values if they have the same meaning on both
+  /// surfaces, for example a thickness. Ranks are also suitable if the scales differ between the surfaces, or if there are
+  /// outliers.
   [[nodiscard]] Surface_mapper_3 compare_values(bool compares_values = true) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.compares_values = compares_values; });
   }
 
-  /// sets where the surfaces count. At other vertices, such as those that holes have been filled with, or of the medial wall of a
-  /// cortex, features are not compared, and tips of extremities are not looked for; what features have there on the second surface
-  /// is continued from around it. The map is a bijection there as well, of low distortion.
+  /// sets the vertices that are included in the comparison of the surfaces.
+  ///
+  /// At excluded vertices, such as those of hole patches or of the medial wall of a cortical surface, features are not
+  /// compared, and no tips of extremities are detected. On the second surface, features are extended to excluded vertices from
+  /// their surroundings. The map is bijective and has low distortion there as well.
   [[nodiscard]] Surface_mapper_3 masks(Masks masks) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_masks = std::move(masks); });
   }
 
-  /// sets the weight of features once they have aligned the spheres, 4 by default: the mean of the squared differences of
-  /// their ranks, which are from -1 to 1, is added to the mean energy, times this weight; for features of the package, times
-  /// the fourth power of their agreement as well. The `weight` is at least 0; with 0, features only align the spheres.
+  /// sets the weight of features after the alignment of the spheres. The default is 4.
+  ///
+  /// The mean of the squared differences of their ranks, which range from -1 to 1, times this weight is added to the mean
+  /// energy. For features of the package, the weight is also multiplied by the fourth power of their agreement.
+  ///
+  /// \param weight a non-negative number; with 0, features are used for the alignment of the spheres only
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weight = weight; });
   }
 
-  /// keeps the rotations of both spheres, if `keeps_alignment` is `true`, and goes on from there: with what `map_surface()`
-  /// has found as the map of the first surface, and perhaps after `split_bent_faces()`. Only the finest level is swept, unless
-  /// hard landmarks have to be moved. Features of the package, which align the spheres, are left out.
+  /// keeps the current rotations of both spheres, if `keeps_alignment` is `true`.
+  ///
+  /// Use this setting to continue from a map that `map_surface()` has found, for example after `split_bent_faces()`: pass the
+  /// map as the map of the first surface. Only the finest level is processed, unless hard landmarks have to be moved. The
+  /// features of the package are not used, because they serve the alignment of the spheres.
   [[nodiscard]] Surface_mapper_3 keep_alignment(bool keeps_alignment = true) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.keeps_alignment = keeps_alignment; });
@@ -123,7 +143,7 @@ public:
 
   /// @}
 
-  /// maps a surface onto another one: what `CGAL::Spherical_parameterization::map_surface()` calls, which see.
+  /// maps a surface onto another one, see `CGAL::Spherical_parameterization::map_surface()`, which calls this function.
   template <class ConcurrencyTag = Parallel_if_available_tag, class VertexSphereMap1, class VertexSphereMap2,
             class VertexDirectionMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
   Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphere_map1, const TriangleMesh2& tmesh2,
@@ -167,15 +187,16 @@ public:
                                                        run);
   }
 
-  /// returns what the last run has found.
+  /// returns the report of the last run.
   const Surface_map_report& report() const { return m_report; }
 
-  /// writes how far the image of each vertex of the first surface is expected to be from where it should be, over the
-  /// root of the area of the second surface, at most 0.5: see `Surface_map_report::expected_error`.
+  /// writes the expected error of each vertex of the first surface: the expected distance between its image and the correct
+  /// corresponding point, divided by the square root of the area of the second surface, at most 0.5. See
+  /// `Surface_map_report::expected_error`.
   ///
   /// \tparam VertexErrorMap a model of `WritablePropertyMap` from the vertices of `TriangleMesh1` to `double`
-  /// \param vertex_error_map receives the values; that of a vertex without a face stays as it is
-  /// \return `false` if there is no estimate: nothing is written then
+  /// \param vertex_error_map receives the values; the value of an isolated vertex is not changed
+  /// \return `false` if there is no estimate; nothing is written then
   template <class VertexErrorMap>
   bool get_expected_errors(VertexErrorMap vertex_error_map) const
   {

@@ -32,8 +32,10 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// How a surface is refined on another one, as long as that pays: by the loop of `split_blocking_edges()`, `split_bent_faces()` and
-/// `map_surface()`, and what that has made of its vertices and faces.
+/// The class `Surface_refinement_3` refines a surface in order to improve its map onto another surface, as long as this lowers
+/// the energy.
+///
+/// It repeats `split_blocking_edges()`, `split_bent_faces()` and `map_surface()`, and records the new vertices and faces.
 ///
 /// \tparam Mesh `CGAL::Surface_mesh`, for both surfaces
 template <class Mesh>
@@ -49,7 +51,8 @@ public:
   /// Type of the method
   using Mapper = Surface_mapper_3<Mesh>;
 
-  /// returns the value of the vertex `v` from the `values` of the first ones: a new one has the mean of the ends of its edge.
+  /// returns the value at vertex `v` of a function that is given by its `values` at the original vertices. The value at a new
+  /// vertex is the mean of the values at both ends of the edge that it splits.
   double value_at(const std::vector<double>& values, Vertex_index v) const
   {
     if(v.idx() < values.size())
@@ -58,7 +61,8 @@ public:
     return k < m_ends.size() ? 0.5 * (value_at(values, m_ends[k][0]) + value_at(values, m_ends[k][1])) : 0.;
   }
 
-  /// returns whether the vertex `v` counts, where `counts` says so of the first ones: a new one does if both ends of its edge do.
+  /// returns whether vertex `v` is included, given `counts` for the original vertices. A new vertex is included if both ends
+  /// of the edge that it splits are.
   bool counts_at(const std::vector<char>& counts, Vertex_index v) const
   {
     if(v.idx() < counts.size())
@@ -67,21 +71,28 @@ public:
     return k < m_ends.size() && counts_at(counts, m_ends[k][0]) && counts_at(counts, m_ends[k][1]);
   }
 
-  /// splits edges that block landmarks, and faces that bend over much of the second surface, and maps the first one again, until
-  /// two rounds have not lowered the energy by a hundredth of what it has above that of an isometry, or vertices are half as many
-  /// again. (One round alone often raises it, where a face next to a landmark is stretched.)
+  /// splits edges that block landmarks and faces that bend over large parts of the second surface, and maps the first surface
+  /// again.
+  ///
+  /// The loop ends after two consecutive rounds without success, after six rounds, if the number of vertices has grown by half,
+  /// if no edge is left to split, or if the run is stopped or its energy sampled. A round is successful if fewer landmarks are
+  /// missed, or if as many are missed and the difference between the energy and 2, the energy of an isometry, is reduced by
+  /// more than one percent. The result of the last successful round is kept. A single round may raise the energy, because a
+  /// face next to a landmark is stretched.
   ///
   /// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` from the vertices of `tmesh2` to their images
   /// \tparam Map a function object
   ///
   /// \param tmesh1 the first surface, which has been mapped by `mapper`; it is refined
-  /// \param directions its `directions_of()`, with what was found; those of the refined surface in the end
+  /// \param directions the map returned by `directions_of()` for `tmesh1`, with the directions found by the mapper; it receives
+  ///        the directions of the refined surface
   /// \param tmesh2,sphere2 the second surface and its map to the sphere
-  /// \param first_mapper the method. Its features and masks have to know of new vertices, as by `value_at()` and `counts_at()`
-  /// \param landmarks those of the method
-  /// \param report that of the method; it is kept up to date
-  /// \param map `map(mesh, directions, mapper)` goes on from the directions of the vertices of `mesh` to new ones, with `mapper`, as
-  ///        by `map_surface()`, and returns what that does
+  /// \param first_mapper the method. Its features and masks must be defined at new vertices, for example by `value_at()` and
+  ///        `counts_at()`
+  /// \param landmarks the landmarks of the method
+  /// \param report the report of the method; it is updated
+  /// \param map a function object: `map(mesh, directions, mapper)` computes new directions for the vertices of `mesh` from the
+  ///        given ones with `mapper`, as `map_surface()` does, and returns an error code
   ///
   /// \return `OK`, or the first error of these functions
   template <class VertexSphereMap2, class Map>
@@ -139,24 +150,26 @@ public:
     return OK;
   }
 
-  /// returns a map for the directions of the vertices of `mesh`, all of them at the origin at first.
+  /// returns a map for the directions of the vertices of `mesh`; it is added to the mesh with all points at the origin if it
+  /// does not exist.
   static Direction_map directions_of(Mesh& mesh)
   {
     using Point_3 = typename Mesh::Point;
     return mesh.template add_property_map<Vertex_index, Point_3>("v:directions", Point_3(0, 0, 0)).first;
   }
 
-  /// returns how many vertices have been added.
+  /// returns the number of new vertices.
   std::size_t number_of_new_vertices() const { return m_ends.size(); }
 
-  /// returns the energy of the map of the surface as it was.
+  /// returns the energy of the map of the original surface.
   double energy_before() const { return m_energy_before; }
 
-  /// returns for each face of the refined surface the one that it is a part of; empty if nothing was to be refined.
+  /// returns the original face that contains each face of the refined surface; the range is empty if `refine()` has not been
+  /// called.
   const std::vector<Face_index>& parents() const { return m_parents; }
 
 private:
-  // Whether no further round may be made, or its energy could not be compared.
+  // Returns whether the loop must end, because the run was stopped or because sampled energies cannot be compared.
   static bool is_at_end(const Surface_map_report& report)
   {
     return report.stop_reason == STOPPED || report.stop_reason == TIME_LIMIT || report.is_energy_sampled;
@@ -175,7 +188,7 @@ private:
     }
   }
 
-  std::vector<std::array<Vertex_index, 2>> m_ends; // of the edges that the new vertices have split
+  std::vector<std::array<Vertex_index, 2>> m_ends; // the ends of the edge that each new vertex splits
   std::vector<Face_index> m_parents;
   double m_energy_before = 0.;
 };

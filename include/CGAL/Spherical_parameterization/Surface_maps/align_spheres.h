@@ -37,23 +37,27 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// finds the rotations that bring the sphere of one surface onto that of another one such that the surfaces agree best, among
-/// all rotations and without a start. Compared are features of the surfaces that do not depend on rotations, and little on
-/// the pose: how much the maps change areas; the average geodesic distance of a point from all others
-/// \cgalCite{cgal:hskk-tmfase-01}; and the mean curvature, with its sign, at two scales, which distinguishes front
-/// from back where a half-turn would exchange both. Instead, the caller may give any features.
+/// finds the rotations of the sphere of one surface for which this surface agrees best with another surface, among all
+/// rotations and without an initial guess.
 ///
-/// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature counts, so that scales and
-/// outliers do not matter. The score of a rotation is the correlation of all features, evenly over the sphere. 12,000
-/// rotations are tried \cgalCite{cgal:a-sfs-22}, and the best ones refined to about 0.2 degrees.
+/// The function compares features of the surfaces that do not depend on rotations, and little on the pose: the area ratios
+/// of the maps; the average geodesic distance of each point from all others \cgalCite{cgal:hskk-tmfase-01}; the signed mean
+/// curvature at two scales, which distinguishes front from back where a half-turn would exchange them; and the wave kernel
+/// signature. The caller may provide other features instead.
 ///
-/// It is meant for surfaces that are nearly isometric, such as poses of a body, with maps made in the same way. Between
-/// bodies of other proportions it is likely to fail: look at the margin, and give landmarks or features.
+/// Both surfaces are simplified to at most 2000 vertices. Only the order of the values of a feature matters, so scales and
+/// outliers have no influence. The score of a rotation is the correlation of all features, with uniform weight on the sphere.
+/// The best of 12,000 rotations \cgalCite{cgal:a-sfs-22} are refined to about 0.2 degrees.
 ///
-/// Rotations never exchange a surface and its mirror image. To align with that, mirror one of the meshes: change the sign
-/// of one coordinate, of its points and of its map, and the orientation of its faces.
+/// <b>Limits.</b> The function is intended for nearly isometric surfaces, such as poses of a body, whose maps were computed
+/// with the same method. For bodies of other proportions it is likely to fail: check the margin, and provide landmarks or
+/// features.
 ///
-/// The running time is linear in the size of the meshes; for less than 100,000 vertices, it is that of the comparison.
+/// Rotations never exchange a surface and its mirror image. To align a surface with a mirror image, mirror one of the meshes:
+/// change the sign of one coordinate of its points and of its map, and reverse the orientation of its faces.
+///
+/// <b>Complexity.</b> The running time is linear in the size of the meshes. Below 100,000 vertices, the comparison of the
+/// simplified surfaces dominates.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
@@ -63,11 +67,11 @@ namespace CGAL::Spherical_parameterization {
 ///         the first mesh and of the second one. `Surface_mapper_3::Feature` is such a pair.
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param tmesh1,tmesh2 the first and the second surface
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
-/// \param features the features to compare; if there are none, the features of the package are
-/// \param alignment receives the rotations of the first sphere
-/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
+/// \param features the features to compare; if there are none, the features of the package are compared
+/// \param alignment receives the rotations of the first sphere and their scores
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; for
 ///        `np2`, only `vertex_point_map` is used
 ///
 /// \cgalNamedParamsBegin
@@ -77,7 +81,7 @@ namespace CGAL::Spherical_parameterization {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor, of which `go_further(0, 0)` is asked every few milliseconds whether to go on}
+///     \cgalParamDescription{a visitor whose function `go_further(0, 0)` is called every few milliseconds and may stop the search}
 ///     \cgalParamType{a class model of `SphericalParameterizationVisitor`, or `std::ref()` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -88,10 +92,11 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection, and `ERROR_INSUFFICIENT_PRECISION` if it is none any more once unit
-///         vectors have been rounded to doubles; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; or
-///         `ERROR_WRONG_PARAMETER` if the value of a feature is not. The alignment is as it was then.
+/// \return `OK`; the defect of the first mesh, or of the second one if the first one has none, see `find_defect()`, or the
+///         defect of its map: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective, `ERROR_INSUFFICIENT_PRECISION` if it is not
+///         bijective after unit vectors have been rounded to double precision; `ERROR_NON_FINITE_COORDINATE` if a point is not
+///         finite; or `ERROR_WRONG_PARAMETER` if the value of a feature is not finite. The alignment is not changed if an
+///         error is returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::fit_rotation()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
@@ -124,7 +129,7 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// finds the same with the features of the package.
+/// finds these rotations with the features of the package.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
@@ -141,23 +146,23 @@ Error_code align_spheres(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sp
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// finds the rotation that brings the sphere of one surface onto that of another one such that landmarks come as near as
-/// possible to theirs \cgalCite{cgal:h-csaouq-87} - the sum of the squared distances between their directions is least. It is
+/// finds the rotation of the sphere of one surface that minimizes the sum of the squared distances between the directions of
+/// landmarks and of the corresponding landmarks on the sphere of another surface \cgalCite{cgal:h-csaouq-87}. The result is
 /// never a reflection.
 ///
-/// The running time is linear in the number of landmarks.
+/// <b>Complexity.</b> The running time is linear in the number of landmarks.
 ///
 /// \tparam VertexSphereMap1,VertexSphereMap2 models of `ReadablePropertyMap` with `%Point_3` of a \cgal kernel as value type
-/// \tparam Landmarks a range of `std::pair` of a vertex of the first surface and one of the second surface, the keys of
+/// \tparam Landmarks a range of `std::pair` of a vertex of the first surface and a vertex of the second surface, the keys of
 ///         the maps
 ///
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of the vertices, at any distance from the origin
-/// \param landmarks pairs of vertices that correspond
+/// \param landmarks the pairs of corresponding vertices
 /// \param rotation receives the rotation of the first sphere
 ///
 /// \return `OK`; `ERROR_INVALID_DIRECTION` if an image is zero or not finite; or `ERROR_UNDETERMINED_ROTATION` if several
-///         rotations are equally good: with fewer than two landmarks, or if all lie in one direction and its opposite. The
-///         rotation is as it was then.
+///         rotations are equally good: there are fewer than two landmarks, or all landmarks lie on one line through the origin.
+///         The rotation is not changed if an error is returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::align_spheres()`
 template <class VertexSphereMap1, class VertexSphereMap2, class Landmarks>

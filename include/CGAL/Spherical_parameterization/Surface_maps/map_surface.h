@@ -24,33 +24,30 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// maps a surface one-to-one onto another one, with low distortion in both directions, by means of their maps to the sphere.
-/// What it finds is a direction for each vertex of the first surface. As a map to the sphere of the second one, the
-/// directions are as certified as any map of this package, and so is the map between the surfaces that they make: from a
-/// face of the first one to the sphere, and from there by the inverse of the second map. What lies in a direction is found
-/// with `Sphere_locator_3`; `remesh_through_sphere()` gives the second surface with the connectivity of the first one,
-/// `transfer()` carries properties over, and `overlay()` is the common refinement.
-/// Schmidt et al. have maps of the same form \cgalCite{cgal:scbk-ismccm-20}.
+/// maps a surface bijectively onto another one, with low distortion in both directions, by means of their maps to the sphere.
 ///
-/// Features rotate the spheres against each other, see `align_spheres()`, and so do extremities that may correspond, by the
-/// distances of their tips along the surfaces. Unless the surfaces are copies, several such starts are taken through
-/// the descent on coarse levels, led by the features and by the distances from those tips. The start that agrees best and
-/// stretches least is lowered further, led by eigenfunctions of the Laplacian of both surfaces, and taken to the finest level; if
-/// others are nearly as good, a finer level chooses among them first. The symmetric
-/// Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over both surfaces, is lowered by the steps that
-/// `Bijective_low_distortion_parameterizer_3` makes, level by level of a hierarchy \cgalCite{cgal:saph-ism-04}, together with
-/// terms for soft landmarks and for features. What a face sees of the second surface is the metric that this gives to its
-/// sphere. If the spheres agree as they are, the result is the rotation itself, unless the descent has lowered the energy of
-/// the common refinement.
+/// The result is a direction on the sphere of the second surface for each vertex of the first surface. The directions are a
+/// map of the first surface to this sphere. Its composition with the inverse of the second map is the map between the
+/// surfaces. To evaluate it, use `Sphere_locator_3` for the point of the second surface in a given direction,
+/// `remesh_through_sphere()` for the second surface with the connectivity of the first one, `transfer()` for properties, and
+/// `overlay()` for the common refinement. Schmidt et al. represent maps in the same way \cgalCite{cgal:scbk-ismccm-20}.
 ///
-/// An atlas that is a sphere with features, and no surface otherwise, is one whose vertices lie on it: the `vertex_point_map` of
-/// the second mesh is its map to the sphere. The distortion that is lowered then is that of the first surface on
-/// the atlas; if the `vertex_point_map` of the first mesh is its map to the sphere as well, that between the spheres.
+/// <b>Guarantee.</b> If `OK` is returned, the map to the sphere is certified bijective like all maps of this package, and so
+/// is the map between the surfaces. A visitor or a time limit may stop a run at any time, including the alignment: the current
+/// map is certified and written. Landmarks that further sweeps would have met may then be missed.
 ///
-/// A visitor or a time limit may end a run at any time, in the alignment as well: the map that has been reached is certified
-/// and written. Landmarks may be missed then that more sweeps would have met.
+/// <b>Method.</b> Several alignments of the spheres are proposed by features and by extremities, and compared by descents on
+/// coarse levels. The best one is refined: the symmetric Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over
+/// both surfaces, is minimized on the levels of a hierarchy \cgalCite{cgal:saph-ism-04}, together with terms for soft landmarks
+/// and features. If the spheres agree as given, the result is a rotation, unless the descent lowers the energy on the common
+/// refinement. See \ref PkgSphericalParameterizationHowItWorks for details.
 ///
-/// The running time is nearly linear in the size of the meshes: for 26,000 vertices each, some four seconds on two threads.
+/// <b>Atlases.</b> For an atlas that consists of a sphere with features and has no other surface, use its map to the sphere as
+/// `vertex_point_map` of the second mesh. The minimized distortion is then that of the map from the first surface to the
+/// atlas. If the `vertex_point_map` of the first mesh is also its map to the sphere, it is the distortion between the spheres.
+///
+/// <b>Complexity.</b> The running time is nearly linear in the size of the meshes: about four seconds on two threads for
+/// 26,000 vertices each.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
@@ -61,12 +58,12 @@ namespace CGAL::Spherical_parameterization {
 ///         \cgal kernel
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param tmesh1,tmesh2 the first and the second surface
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
-/// \param mapper the method: landmarks and features, if any. Its report has the results.
+/// \param mapper the method, with its landmarks and features, if any; its report receives the results
 /// \param vertex_direction_map receives for each vertex of the first surface its direction on the sphere of the second
-///        one, a point at distance 1 of the origin. It may be `vertex_sphere_map1`.
-/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; of
+///        one, a point at distance 1 from the origin. It may be `vertex_sphere_map1`.
+/// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below; for
 ///        `np2`, only `vertex_point_map` is used
 ///
 /// \cgalNamedParamsBegin
@@ -76,7 +73,7 @@ namespace CGAL::Spherical_parameterization {
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor that follows the progress, and may end the run}
+///     \cgalParamDescription{a visitor that follows the progress, and may stop the run}
 ///     \cgalParamType{a class model of `SphericalParameterizationVisitor`, or `std::ref()` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -87,13 +84,14 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`: the map is certified, whether all landmarks are met or not; the defect of the first mesh, or else of the
-///         second one, see `find_defect()`, or with its map: `ERROR_NO_1_TO_1_MAPPING` if that is no bijection;
-///         `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex has two landmarks,
-///         or a landmark is no vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of landmarks is not positive, one of
-///         features negative, weights are not as many as features or all 0, a value of a feature is not finite, or a mask leaves
-///         nothing; or `ERROR_INSUFFICIENT_PRECISION` if doubles, or the numbers
-///         of the map, cannot hold the result. Nothing is written then.
+/// \return `OK`: the map is certified bijective, whether or not all landmarks are met; the defect of the first mesh, or of the
+///         second one if the first one has none, see `find_defect()`, or the defect of its map: `ERROR_NO_1_TO_1_MAPPING` if
+///         it is not bijective; `ERROR_NON_FINITE_COORDINATE` if a point is not finite; `ERROR_INVALID_LANDMARK` if a vertex
+///         belongs to two landmarks, or a landmark is not a vertex of a face; `ERROR_WRONG_PARAMETER` if the weight of
+///         landmarks is not positive, a weight of features is negative, the number of weights differs from the number of
+///         features, all weights are 0, the value of a feature is not finite, or a mask excludes all vertices; or
+///         `ERROR_INSUFFICIENT_PRECISION` if the result cannot be represented in double precision, or in the number type of
+///         the map. Nothing is written if an error is returned.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class SurfaceMapper, class VertexDirectionMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS_1, typename CGAL_NP_TEMPLATE_PARAMETERS_2>
@@ -109,8 +107,7 @@ Error_code map_surface(const TriangleMesh1& tmesh1, VertexSphereMap1 vertex_sphe
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// maps a surface one-to-one onto another one, with nothing known of them but their shapes and their maps to the sphere;
-/// otherwise as the function above.
+/// maps a surface bijectively onto another one as the function above does, without landmarks and with default settings.
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,
           class TriangleMesh2, class VertexSphereMap2, class VertexDirectionMap, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>

@@ -32,13 +32,16 @@ namespace CGAL::Spherical_parameterization {
 ///
 /// \tparam TriangleMesh1,TriangleMesh2 the types of the surfaces
 ///
-/// \param overlay the refinement, made by `overlay()`
-/// \param distortion receives the distortion; all measures are infinite if a surface has no area, or all triangles are left out
-/// \param smallest_area triangles with less than this share of the area on one of the surfaces are left out, and counted:
-///        of those that ties or rounding make, nothing can be said
+/// <b>Complexity.</b> The running time is linear in the number of triangles of the refinement.
 ///
-/// \return `OK`; `ERROR_EMPTY_MESH` if the refinement has no triangle, `ERROR_WRONG_PARAMETER` if `smallest_area` is not in
-///         \f$ [ 0, 1 ) \f$, and `distortion` is as it was
+/// \param overlay the refinement computed by `overlay()`
+/// \param distortion receives the distortion; all measures are infinite if a surface has no area, or if all triangles are
+///        excluded
+/// \param smallest_area the fraction of the area: triangles with a smaller fraction of the area on one of the surfaces are
+///        excluded and counted, because the measures of triangles caused by ties or rounding errors are meaningless
+///
+/// \return `OK`; `ERROR_EMPTY_MESH` if the refinement has no triangle; or `ERROR_WRONG_PARAMETER` if `smallest_area` is not in
+///         \f$ [ 0, 1 ) \f$. `distortion` is not changed if an error is returned.
 template <class TriangleMesh1, class TriangleMesh2>
 Error_code measure_distortion_between(const Surface_overlay_3<TriangleMesh1, TriangleMesh2>& overlay,
                                       Distortion_between& distortion, double smallest_area = 1e-10)

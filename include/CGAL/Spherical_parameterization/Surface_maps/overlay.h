@@ -37,9 +37,11 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The common refinement of two surfaces that have maps to the same sphere, as `overlay()` makes it: triangles, each of
-/// which is a part of one face of the first surface and of one face of the second. It is closed: with `points` of either
-/// surface, `triangles` are that surface; and what is between the two points of a vertex is a morph.
+/// The class `Surface_overlay_3` contains the common refinement of two surfaces with maps to the same sphere, computed by
+/// `overlay()`. Each triangle is a part of one face of the first surface and of one face of the second surface.
+///
+/// The refinement is closed: `triangles` with the `points` of either surface describe that surface. Interpolation between the
+/// two points of each vertex yields a morph.
 ///
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
 template <class TriangleMesh1, class TriangleMesh2>
@@ -48,13 +50,13 @@ struct Surface_overlay_3
   /// Type of the points
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  /// For each vertex, the corresponding points of the first surface and of the second one
+  /// For each vertex, the corresponding points of the first and the second surface
   std::vector<std::array<Point_3, 2>> points;
 
   /// The vertices of each triangle, counterclockwise as seen from outside
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
-  /// For each triangle, the face of the first surface and that of the second one which it is a part of
+  /// For each triangle, the faces of the first and the second surface that contain it
   std::vector<std::pair<typename boost::graph_traits<TriangleMesh1>::face_descriptor,
                         typename boost::graph_traits<TriangleMesh2>::face_descriptor>>
       faces;
@@ -62,21 +64,23 @@ struct Surface_overlay_3
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// makes the common refinement of two surfaces that have maps to the same sphere. Composed, the maps are one between the
-/// surfaces, and the refinement is where both are linear: its cells are the parts of the sphere that are in the image of one
-/// face of each. The map is projective between the two faces of a cell; on each of the triangles that it is divided into, it
-/// is taken as affine. Such refinements were introduced for morphing \cgalCite{cgal:kcp-stpo-92}, \cgalCite{cgal:a-mpssf-00}.
+/// computes the common refinement of two surfaces that have maps to the same sphere.
 ///
-/// The connectivity is exact: the faces of the other mesh that contain the vertices, and which edges cross, are decided by
-/// exact predicates on the points as they are in the maps. Ties, such as a vertex on an edge, or equal meshes, are broken as
-/// if the first sphere were moved by an infinitesimal linear map, a simulation of simplicity \cgalCite{cgal:em-sstcd-90};
-/// then triangles have no area, but are where they belong.
-/// The result is certified: the edges of both meshes, traced through the other one, cross the same edges; the parts of edges
-/// around each cell are one polygon; and Euler's formula holds. Points of crossings are rounded.
+/// Composed, the maps are a map between the surfaces. The cells of the refinement are the parts of the sphere that lie in the
+/// image of one face of each surface. The map is projective between the two faces of a cell. Cells are triangulated, and the
+/// map is approximated by an affine one in each triangle. Such refinements were introduced for morphing
+/// \cgalCite{cgal:kcp-stpo-92}, \cgalCite{cgal:a-mpssf-00}.
 ///
-/// The running time is \f$ O(n \log n) \f$ for `n` faces and crossings, of which each takes some 200 bytes. Long and narrow
-/// faces have many; so have vertices of high degree that coincide, \f$ d^2 / 2 \f$ for a degree of \f$ d \f$ of both. They are
-/// counted first, and there is a bound.
+/// <b>Guarantee.</b> The connectivity is exact: exact predicates on the points in the maps determine the faces of the other
+/// mesh that contain vertices, and the edges that cross. Ties, such as a vertex on an edge or equal meshes, are resolved by
+/// simulation of simplicity \cgalCite{cgal:em-sstcd-90}, as if an infinitesimal linear map were applied to the first sphere.
+/// The resulting triangles have no area, but their position is correct. The result is certified: tracing the edges of each
+/// mesh through the other one yields the same crossings, the parts of edges around each cell form one polygon, and Euler's
+/// formula holds. The points of crossings are rounded.
+///
+/// <b>Complexity.</b> The running time is \f$ O(n \log n) \f$ for \f$ n \f$ faces and crossings. Each crossing takes about 200
+/// bytes. Long and narrow faces have many crossings. Two vertices of degree \f$ d \f$ that coincide have \f$ d^2 / 2 \f$
+/// crossings. Crossings are counted before the refinement is built, and their number is limited by `maximum_number`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph`
@@ -84,7 +88,7 @@ struct Surface_overlay_3
 ///         of a \cgal kernel; the coordinates are of type `double` or `float`
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1,tmesh2 the first surface and the second one
+/// \param tmesh1,tmesh2 the first and the second surface
 /// \param vertex_sphere_map1,vertex_sphere_map2 the images of their vertices, at any distance from the origin
 /// \param result receives the refinement
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -96,7 +100,7 @@ struct Surface_overlay_3
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamDescription{of `np1`: a visitor whose function `go_further()` may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -108,13 +112,13 @@ struct Surface_overlay_3
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{of `np1`: the largest number of vertices of the refinement, at most 2<sup>32</sup> - 2}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{4,194,304, or 32 times the number of vertices of both meshes, whichever is more}
+///     \cgalParamDefault{the maximum of 4,194,304 and 32 times the number of vertices of both meshes}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; the defect of the first mesh, or else of the second one, see `find_defect()`, or with its map:
-///         `ERROR_NO_1_TO_1_MAPPING` if that is no bijection; `ERROR_TOO_LARGE_OVERLAY` if the refinement would have more
-///         vertices than the bound; or `ERROR_STOPPED`. The result is as it was then.
+/// \return `OK`; the defect of the first mesh, or of the second one if the first one has none, see `find_defect()`, or the
+///         defect of its map: `ERROR_NO_1_TO_1_MAPPING` if it is not bijective; `ERROR_TOO_LARGE_OVERLAY` if the refinement
+///         would have more vertices than the bound; or `ERROR_STOPPED`. The result is not changed if an error is returned.
 ///
 /// \sa `CGAL::Spherical_parameterization::measure_distortion_between()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexSphereMap1,

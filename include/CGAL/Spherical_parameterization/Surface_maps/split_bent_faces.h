@@ -32,10 +32,14 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// splits edges of a surface that `map_surface()` has mapped onto another one, where its faces are too large for what they cover
-/// there: the images of edges are straight, and a face can follow the other surface only as well as three corners can. For the
-/// faces that add most to the energy of the map, 0.3 of the sum together, it splits that edge whose image is longest. Their new vertices lie on the surface as it was. Call
-/// `map_surface()` again, which goes on from the map that there is, while that pays, or a few times:
+/// splits edges of a surface that `map_surface()` has mapped onto another one, where its faces are too large to follow the
+/// shape of the other surface.
+///
+/// The images of edges are straight, so a face follows the other surface only as well as three corners can. The function
+/// selects the faces with the largest contributions to the integral, over the common refinement, of the logarithm of half the
+/// symmetric Dirichlet energy, up to a fraction of 0.3 of the integral. It splits the edge with the longest image of each
+/// selected face. New vertices lie on the original surface. Call `map_surface()` afterwards, which continues from the current
+/// map, and repeat both as long as the energy decreases, or a fixed number of times:
 ///
 /// \code{.cpp}
 /// std::vector<Split_edge<Mesh>> split_edges;
@@ -46,9 +50,7 @@ namespace CGAL::Spherical_parameterization {
 ///     break;
 /// \endcode
 ///
-/// What counts is the logarithm of the energy, as it is 0 for an isometry if that is taken as 1, integrated over the common
-/// refinement, so that faces next to a landmark do not hide all others. Of a cat, mapped onto a horse with 17 landmarks, half as many
-/// vertices again lower the energy from 2.59 to 2.47.
+/// <b>Complexity.</b> The running time is that of `overlay()`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; no result depends on it
 /// \tparam TriangleMesh1 a model of `MutableFaceGraph`
@@ -57,23 +59,24 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the same values for the second surface
 /// \tparam NamedParameters1,NamedParameters2 sequences of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh1 the first surface, or rather a copy of it. Its vertices stay what they are
-/// \param vertex_direction_map what `map_surface()` has found for it. Has room for new vertices, which are put on the images of
-///        their edges: it stays a bijection, and is as good a start
+/// \param tmesh1 the first surface; pass a copy to keep the original. Its vertices are preserved
+/// \param vertex_direction_map the map computed by `map_surface()`. It must accept new vertices, whose images lie on the images
+///        of the split edges; it stays bijective, and is an equally good start
 /// \param tmesh2,vertex_sphere_map2 the second surface and its map
-/// \param max_edges the largest number of edges that are split
-/// \param split_edges receives the edges that have been split: none if all faces are mapped by isometries
+/// \param max_edges the maximum number of edges that are split
+/// \param split_edges receives the edges that have been split; it is empty if all faces are mapped isometrically
 /// \param np1,np2 optional sequences of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, with room for new ones, or `tmesh2`}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh1`, which must accept new vertices, or
+///                           `tmesh2`}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap`, or of `ReadablePropertyMap` for `tmesh2`, with `%Point_3` of a
 ///                    \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh1)`, or of `tmesh2`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{of `np1`: a visitor whose `go_further()` may stop the run}
+///     \cgalParamDescription{of `np1`: a visitor whose function `go_further()` may stop the run}
 ///     \cgalParamType{a model of `SphericalParameterizationVisitor`, or an `std::reference_wrapper` of one}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -85,11 +88,11 @@ namespace CGAL::Spherical_parameterization {
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{of `np1`: the largest number of vertices of the refinement, at most 2<sup>32</sup> - 2}
 ///     \cgalParamType{`std::size_t`}
-///     \cgalParamDefault{4,194,304, or 32 times the number of vertices of both meshes, whichever is more}
+///     \cgalParamDefault{the maximum of 4,194,304 and 32 times the number of vertices of both meshes}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`, or what `overlay()` returns: both surfaces and maps are as they were then
+/// \return `OK`, or an error of `overlay()`; both surfaces and maps are not changed if an error is returned
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh1, class VertexDirectionMap,
           class TriangleMesh2, class VertexSphereMap2, typename CGAL_NP_TEMPLATE_PARAMETERS_1,
           typename CGAL_NP_TEMPLATE_PARAMETERS_2>
@@ -108,7 +111,7 @@ Error_code split_bent_faces(TriangleMesh1& tmesh1, VertexDirectionMap vertex_dir
                                      internal::maximum_number_of(np1), max_edges, sides, control, execution))
       return error;
     std::vector<typename boost::graph_traits<TriangleMesh1>::halfedge_descriptor> chosen;
-    for(const std::size_t side : sides) // that is opposite to a vertex, of which the first one is the source of h
+    for(const std::size_t side : sides) // opposite to vertex side % 3 of the face; vertex 0 is the source of h
     {
       const auto h = halfedge(first.faces_of_mesh[side / 3], tmesh1);
       chosen.push_back(side % 3 == 0 ? next(h, tmesh1) : side % 3 == 1 ? prev(h, tmesh1) : h);

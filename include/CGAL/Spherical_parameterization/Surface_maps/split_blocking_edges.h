@@ -38,8 +38,8 @@ namespace CGAL::Spherical_parameterization {
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// The report of `split_blocking_edges()` and `split_bent_faces()` on an edge that they have split in the middle. Values of
-/// vertices and of faces can follow by it, in the order in which edges have been split.
+/// The class `Split_edge` describes an edge that `split_blocking_edges()` or `split_bent_faces()` has split at its midpoint.
+/// Values at vertices and faces can be updated by processing the split edges in the order in which they are reported.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 template <class TriangleMesh>
@@ -51,16 +51,16 @@ struct Split_edge
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
   vertex_descriptor vertex;              ///< The new vertex
-  std::array<vertex_descriptor, 2> ends; ///< The ends of the edge, which it is in the middle of
+  std::array<vertex_descriptor, 2> ends; ///< The ends of the edge
   std::array<face_descriptor, 2> faces;  ///< The new faces
   std::array<face_descriptor, 2>
-      halved_faces; ///< For each, the face that it is a half of, and that is the other half now
+      halved_faces; ///< For each new face, the face that was halved, which is now the other half
 };
 
 namespace internal {
 
-// Returns whether two arcs cross, in their interiors: then all four triangles have the same orientation. If one arc crosses
-// the antipodes of the other one, two of them differ.
+// Returns whether the interiors of two arcs cross: then all four triangles have the same orientation. If one arc crosses the
+// antipode of the other one, two of the orientations differ.
 inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
 {
   const auto side = [](const Vector_3d& p, const Vector_3d& q, const Vector_3d& r) {
@@ -71,8 +71,8 @@ inline bool do_arcs_cross(const Vector_3d& a, const Vector_3d& b, const Vector_3
   return acb != 0 && side(c, b, d) == acb && side(b, d, a) == acb && side(d, a, c) == acb;
 }
 
-// Splits an edge in the middle, and its image, which may be the direction map as well. Does nothing, and returns false, if double
-// precision numbers cannot hold what is left of its faces.
+// Splits an edge and its image at their midpoints. The image may be the direction map. Does nothing and returns false if the
+// faces that result from the split cannot be represented in double precision.
 template <class TriangleMesh, class VertexPointMap, class VertexSphereMap>
 bool split_edge_on_sphere(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, TriangleMesh& tmesh,
                           const VertexPointMap& points, const VertexSphereMap& vertex_sphere_map,
@@ -109,10 +109,12 @@ bool split_edge_on_sphere(typename boost::graph_traits<TriangleMesh>::halfedge_d
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// splits the edges of a surface that keep landmarks from where they are to go, after `map_surface()` has missed some: those
-/// that the paths of the landmarks on the sphere of the second surface would cross. Their new vertices lie on the surface as
-/// it was, and can bend the edges when `map_surface()` is called again. With few vertices, that often meets what was missed;
-/// landmarks that would have to be exchanged, it does not. Call both until all are met, or a few times:
+/// splits the edges of a surface that prevent `map_surface()` from meeting landmarks: the edges that the paths of missed
+/// landmarks on the sphere of the second surface cross.
+///
+/// New vertices lie on the original surface, and allow the edges to bend when `map_surface()` is called again. With few
+/// additional vertices, this often meets the missed landmarks. It does not help if landmarks would have to be exchanged. Repeat
+/// both functions until all landmarks are met, or a fixed number of times:
 ///
 /// \code{.cpp}
 /// std::size_t n = 1; // edges that have been split
@@ -122,34 +124,34 @@ bool split_edge_on_sphere(typename boost::graph_traits<TriangleMesh>::halfedge_d
 ///     break;
 /// \endcode
 ///
-/// It takes time proportional to the number of edges times that of the landmarks that are missed.
+/// <b>Complexity.</b> The running time is proportional to the number of edges times the number of missed landmarks.
 ///
 /// \tparam TriangleMesh a model of `MutableFaceGraph`
 /// \tparam VertexSphereMap a model of `ReadWritePropertyMap` from the vertices to `%Point_3` of a \cgal kernel
 /// \tparam VertexDirectionMap a model of `ReadablePropertyMap` with the same types
 /// \tparam VertexSphereMap2 a model of `ReadablePropertyMap` with the same values for the second surface
-/// \tparam LandmarkRange a range of pairs of vertices, one of either surface
+/// \tparam LandmarkRange a range of pairs of a vertex of the first surface and a vertex of the second surface
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 ///
-/// \param tmesh the first surface, or rather a copy of it. Its vertices stay what they are
-/// \param vertex_sphere_map its map to the sphere, which stays a bijection. Has room for new vertices
-/// \param vertex_direction_map what `map_surface()` has found for it. New vertices have none yet
-/// \param vertex_sphere_map2 the map of the second surface
-/// \param landmarks as for `Surface_mapper_3`
-/// \param split_edges receives the edges that have been split: none if none is crossed, as where a path leads exactly through
-///        vertices, or if double precision numbers cannot hold what is left of their faces
+/// \param tmesh the first surface; pass a copy to keep the original. Its vertices are preserved
+/// \param vertex_sphere_map its map to the sphere, which stays bijective. It must accept new vertices
+/// \param vertex_direction_map the map computed by `map_surface()`. It receives no values for new vertices
+/// \param vertex_sphere_map2 the map of the second surface to the sphere
+/// \param landmarks the landmarks, as for `Surface_mapper_3`
+/// \param split_edges receives the edges that have been split. It is empty if no edge is crossed, for example because a path
+///        passes exactly through vertices, or if the resulting faces cannot be represented in double precision
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, with room for new ones}
+///     \cgalParamDescription{a property map associating points to the vertices of `tmesh`, which must accept new vertices}
 ///     \cgalParamType{a class model of `ReadWritePropertyMap` with `%Point_3` of a \cgal kernel as value type}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`, or `ERROR_NON_CLOSED_MESH` or `ERROR_NON_TRIANGULAR_MESH` if the mesh is no surface that has been mapped;
-///         it is as it was then
+/// \return `OK`; `ERROR_NON_CLOSED_MESH` or `ERROR_NON_TRIANGULAR_MESH` if the mesh cannot have been mapped. The mesh is not
+///         changed if an error is returned.
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
           class LandmarkRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,
@@ -161,7 +163,7 @@ Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphe
   using internal::direction_of;
   std::vector<halfedge_descriptor> blocking;
   std::vector<std::pair<internal::Vector_3d, internal::Vector_3d>> paths;
-  constexpr double cosine_of_rounding = 1. - 1e-14; // landmarks within 1.4e-7 of their goals have met them
+  constexpr double cosine_of_rounding = 1. - 1e-14; // Landmarks within 1.4e-7 of their goals are met.
   for(const auto& [v, w] : landmarks)
   {
     const internal::Vector_3d p = direction_of(get(vertex_direction_map, v)),
@@ -195,7 +197,7 @@ Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphe
 
 /// \ingroup PkgSphericalParameterizationSurfaces
 ///
-/// splits edges as the function above; `number_of_split_edges` receives only how many there are.
+/// splits edges as the function above does; `number_of_split_edges` receives only their number.
 template <class TriangleMesh, class VertexSphereMap, class VertexDirectionMap, class VertexSphereMap2,
           class LandmarkRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code split_blocking_edges(TriangleMesh& tmesh, VertexSphereMap vertex_sphere_map,

@@ -14,16 +14,16 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-// Where the definitions come from of the functions through which the headers enter what takes long to compile, and of the templates
-// on the energies of the package.
+// Whether the functions through which the headers enter code that takes long to compile, and the templates on the
+// energies of the package, are defined in the headers or in a library.
 //
-// By default each header brings them along, as inline functions: nothing has to be built before. With
+// By default, the headers define them as inline functions, and nothing must be built before use. With
 // CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY they are in a static library, which the CMake target
-// CGAL::Spherical_parameterization_library builds and links, and which defines the macro: a program of several files compiles
-// them once. A header that declares such functions ends by including the file ..._impl.h that defines them, which may serve several
-// headers, unless they are in the library; its sources, in src/, include these files instead. What has no such mark is inline. A
-// program that uses the library and has an energy of its own defines CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES as well, as the
-// descent by it is compiled where it is called.
+// CGAL::Spherical_parameterization_library builds and links, and which defines the macro: a program of several files
+// then compiles them once. A header that declares such functions ends by including the file ..._impl.h with their
+// definitions, which may serve several headers, unless they are in the library; its sources, in src/, include these
+// files instead. All other functions are inline. A program that uses the library with an energy of its own must also
+// define CGAL_SPHERICAL_PARAMETERIZATION_OWN_ENERGIES, because its descent is compiled where it is called.
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY
 #define CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 #else

@@ -36,9 +36,7 @@
 namespace CGAL::Spherical_parameterization {
 namespace internal {
 
-constexpr std::int32_t max_key_of_annotation = 1 << 24; // there are no more colours
-
-// What is in the first three bytes of the files.
+constexpr std::int32_t max_key_of_annotation = 1 << 24; // the number of RGB colors
 constexpr std::uint32_t magic_of_triangles = 0xFFFFFE, magic_of_quadrangles = 0xFFFFFD, magic_of_curv = 0xFFFFFF;
 
 inline void read_freesurfer_surface(std::string_view content, IO::Surface_file& file, std::string&)
@@ -55,9 +53,8 @@ inline void read_freesurfer_surface(std::string_view content, IO::Surface_file& 
     throw File_error("The file ends within its first line: ", truncated);
   file.origin.created_by = in.read_bytes(end_of_line, "the first line");
   in.read_bytes(1, "the first line");
-  if(!in.rest().empty() && in.rest().front() == '\n') // some programs leave out the empty line
+  if(!in.rest().empty() && in.rest().front() == '\n') // some programs omit the empty line
     in.read_bytes(1, "the first line");
-
   const std::size_t begin = in.position();
   const auto n_points = in.read<std::int32_t>("the number of vertices"),
              n_triangles = in.read<std::int32_t>("the number of triangles");
@@ -97,7 +94,7 @@ inline void read_freesurfer_curv(std::string_view content, IO::Surface_file& fil
   }
   else if(magic == magic_of_triangles || magic == magic_of_quadrangles)
     throw File_error("This is a surface of FreeSurfer, not a file of values: give one such as lh.sulc.");
-  else // the old format, hundredths of 16 bits
+  else // the old format, 16-bit integers in units of 0.01
   {
     in.read_3_bytes("the number of triangles");
     in.check_count(magic, "values", sizeof(std::int16_t), 0);
@@ -110,8 +107,7 @@ inline void read_freesurfer_curv(std::string_view content, IO::Surface_file& fil
                      " values: it is damaged, or no curv file of FreeSurfer.");
 }
 
-// The colour that an annotation has for each vertex with a label. One without a name has all four bytes of it, but 0 if it is
-// transparent and black, which means that a vertex has no label.
+// Color of a label in an annotation; only unnamed labels have the fourth byte. 0 (transparent black) means no label.
 inline std::uint32_t color_of_annotation(const IO::Label& label)
 {
   if(label.name.empty() && label.color == std::array<double, 4>{})
@@ -122,42 +118,41 @@ inline std::uint32_t color_of_annotation(const IO::Label& label)
   return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | (label.name.empty() ? 255 - bytes[3] : 0) << 24;
 }
 
-// Reads the table of an annotation: the entries of version 1 are numbered in their order, those of version 2 have numbers.
 inline void read_color_table(Byte_reader& in, IO::Surface_file& file)
 {
   constexpr std::size_t min_size = 20; // of an entry: the length of its name, and four numbers
   const std::size_t begin = in.position();
-  std::int32_t n = in.read<std::int32_t>("the colour table");
-  const bool has_numbers = n < 0;
+  std::int32_t n = in.read<std::int32_t>("the color table");
+  const bool has_numbers = n < 0; // version 2; version 1 numbers the entries by position
   if(has_numbers && n != -2)
-    throw File_error("Byte ", begin, ": the colour table has the version ", -static_cast<std::int64_t>(n),
+    throw File_error("Byte ", begin, ": the color table has the version ", -static_cast<std::int64_t>(n),
                      ", but 1 and 2 are known: convert it with FreeSurfer.");
   if(has_numbers)
-    in.read<std::int32_t>("the colour table"); // a bound on the numbers
-  in.read_text("the name of the colour table");
+    in.read<std::int32_t>("the color table"); // a bound on the numbers
+  in.read_text("the name of the color table");
   if(has_numbers)
-    n = static_cast<std::int32_t>(in.read_count("entries of the colour table", min_size));
-  in.check_count(n, "entries of the colour table", min_size, begin);
+    n = static_cast<std::int32_t>(in.read_count("entries of the color table", min_size));
+  in.check_count(n, "entries of the color table", min_size, begin);
   std::set<std::int32_t> keys;
   for(std::int32_t k = 0; k < n; ++k)
   {
     const std::size_t begin_of_entry = in.position();
     IO::Label label{
-        has_numbers ? in.read<std::int32_t>("the colour table") : k, in.read_text("the name of a structure"), {}};
+        has_numbers ? in.read<std::int32_t>("the color table") : k, in.read_text("the name of a structure"), {}};
     for(double& x : label.color)
     {
-      const auto byte = in.read<std::int32_t>("the colour table");
+      const auto byte = in.read<std::int32_t>("the color table");
       if(byte < 0 || byte > 255)
-        throw File_error("Byte ", begin_of_entry, ": entry ", k, " of the colour table has a component ", byte,
+        throw File_error("Byte ", begin_of_entry, ": entry ", k, " of the color table has a component ", byte,
                          ", but 0 to 255 are possible: the file is damaged.");
       x = byte / 255.;
     }
-    label.color[3] = 1. - label.color[3]; // it is how transparent the colour is
+    label.color[3] = 1. - label.color[3]; // the file stores transparency
     if(label.name.empty())
-      label.name = File_error::join("structure ", label.key); // or its colour would be one without entry
+      label.name = File_error::join("structure ", label.key); // an empty name denotes a color without an entry
     const bool is_possible = label.key >= 0 && label.key <= max_key_of_annotation;
     if(!is_possible || !keys.insert(label.key).second)
-      throw File_error("Byte ", begin_of_entry, ": entry ", k, " of the colour table has the number ", label.key,
+      throw File_error("Byte ", begin_of_entry, ": entry ", k, " of the color table has the number ", label.key,
                        is_possible ? ", as another one has" : ", which is out of range", ": the file is damaged.");
     file.labels.push_back(std::move(label));
   }
@@ -166,7 +161,7 @@ inline void read_color_table(Byte_reader& in, IO::Surface_file& file)
 inline void read_freesurfer_annotation(std::string_view content, IO::Surface_file& file, std::string& message)
 {
   Byte_reader in(content);
-  constexpr std::size_t size_of_pair = 8; // of a vertex and its colour
+  constexpr std::size_t size_of_pair = 8; // a vertex and its color
   const std::size_t n = in.read_count("vertices", size_of_pair);
   std::vector<std::uint32_t> colors(n);
   std::vector<bool> is_known(n, false);
@@ -178,18 +173,17 @@ inline void read_freesurfer_annotation(std::string_view content, IO::Surface_fil
                        v >= n ? " does not exist" : " is there twice",
                        ": the file is damaged, or no annotation of FreeSurfer.");
     is_known[v] = true;
-    colors[v] = in.read<std::uint32_t>("the colours of the vertices");
+    colors[v] = in.read<std::uint32_t>("the colors of the vertices");
   }
   const std::size_t begin = in.position();
-  const std::int32_t n_tables = in.remaining() > 0 ? in.read<std::int32_t>("the number of colour tables") : 0;
+  const std::int32_t n_tables = in.remaining() > 0 ? in.read<std::int32_t>("the number of color tables") : 0;
   if(n_tables != 0 && n_tables != 1)
-    throw File_error("Byte ", begin, ": the number of colour tables is ", n_tables,
+    throw File_error("Byte ", begin, ": the number of color tables is ", n_tables,
                      ", not 0 or 1: the file is damaged, or no annotation of FreeSurfer.");
   if(n_tables == 1)
     read_color_table(in, file);
   check_footer(in);
-
-  std::map<std::uint32_t, std::int32_t> keys; // of the first label with a colour
+  std::map<std::uint32_t, std::int32_t> keys; // the first label of a color
   std::int32_t next = 0;
   for(const IO::Label& label : file.labels)
   {
@@ -224,7 +218,7 @@ inline void read_freesurfer_annotation(std::string_view content, IO::Surface_fil
   if(n_unnamed_vertices > 0)
   {
     const std::uint32_t color = unnamed.begin()->first;
-    message = File_error::join(n_unnamed_vertices, " vertices have ", unnamed.size(), " colours that the table of ",
+    message = File_error::join(n_unnamed_vertices, " vertices have ", unnamed.size(), " colors that the table of ",
                                n_named, " does not name, such as ", color & 255, ' ', color >> 8 & 255, ' ',
                                color >> 16 & 255, ": they are labels without name.\n");
   }
@@ -275,7 +269,7 @@ namespace IO {
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_surface(std::istream& in, Surface_file& file,
                                                                           std::string& message)
 {
-  return internal::read_or_tell(in, file, message, internal::read_freesurfer_surface);
+  return internal::read_or_report(in, file, message, internal::read_freesurfer_surface);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_surface(std::ostream& out, const Surface_file& file,
@@ -302,7 +296,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_surface(std::
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_curv(std::istream& in, Surface_file& file,
                                                                        std::string& message)
 {
-  return internal::read_or_tell(in, file, message, internal::read_freesurfer_curv);
+  return internal::read_or_report(in, file, message, internal::read_freesurfer_curv);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_curv(std::ostream& out, const Vertex_values& values,
@@ -316,7 +310,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_curv(std::ost
   bytes.content = "\xFF\xFF\xFF";
   bytes.write(static_cast<std::int32_t>(values.values.size()));
   bytes.write(static_cast<std::int32_t>(number_of_triangles));
-  bytes.write(std::int32_t(1)); // number for each vertex
+  bytes.write(std::int32_t(1)); // values per vertex
   for(const double x : values.values)
     bytes.write(static_cast<float>(x));
   return internal::write_bytes(out, bytes.content, message);
@@ -325,7 +319,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_curv(std::ost
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_annotation(std::istream& in, Surface_file& file,
                                                                              std::string& message)
 {
-  return internal::read_or_tell(in, file, message, internal::read_freesurfer_annotation);
+  return internal::read_or_report(in, file, message, internal::read_freesurfer_annotation);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(std::ostream& out,
@@ -339,14 +333,14 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
   if(const Error_code error = internal::check_consecutive(file.vertices, message); error != OK)
     return error;
   std::map<double, std::uint32_t> colors;
-  std::map<std::uint32_t, std::int32_t> keys; // of the first label with a colour
+  std::map<std::uint32_t, std::int32_t> keys; // the first label of a color
   std::set<double> all_keys;
   std::int32_t max_key = -1, n_named = 0;
   for(const Label& label : file.labels)
   {
     for(const double x : label.color)
       if(!(x >= 0. && x <= 1.))
-        return refuse("Label ", label.key, " has the colour component ", x, ", which is not from 0 to 1.");
+        return refuse("Label ", label.key, " has the color component ", x, ", which is not from 0 to 1.");
     if(!all_keys.insert(label.key).second)
       return refuse("Two labels have the key ", label.key, ".");
     const std::uint32_t color = internal::color_of_annotation(label);
@@ -364,7 +358,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
     if(colors.count(key) == 0)
       return refuse("A vertex has the label ", key,
                     all_keys.count(key) == 0 ? ", which is not in the table of labels."
-                                             : ", whose colour is that of a label before it, by which annotations "
+                                             : ", whose color is that of a label before it, by which annotations "
                                                "distinguish them: give it another one.");
   internal::Byte_writer bytes;
   bytes.write(static_cast<std::int32_t>(file.columns.front().values.size()));
@@ -374,7 +368,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
     bytes.write(v++);
     bytes.write(colors.at(key));
   }
-  for(const std::int32_t number : {1, -2, max_key + 1}) // one table, of version 2, and the bound on its numbers
+  for(const std::int32_t number : {1, -2, max_key + 1}) // one table, version 2, and the bound on its numbers
     bytes.write(number);
   bytes.write_text("Spherical_parameterization");
   bytes.write(n_named);
@@ -394,11 +388,10 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_FreeSurfer_annotation(st
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_FreeSurfer_label(std::istream& in, Surface_file& file,
                                                                         std::string& message)
 {
-  return internal::read_or_tell(in, file, message, internal::read_freesurfer_label);
+  return internal::read_or_report(in, file, message, internal::read_freesurfer_label);
 }
 
 } // namespace IO
-
 } // namespace CGAL::Spherical_parameterization
 
 #include <CGAL/Spherical_parameterization/internal/numbers/end_arithmetic.h>

@@ -35,7 +35,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// The digit that each character is, or 64.
+// The base 64 digit of each character, or 64.
 inline std::array<std::uint8_t, 256> digits_of_characters()
 {
   std::array<std::uint8_t, 256> result;
@@ -45,7 +45,7 @@ inline std::array<std::uint8_t, 256> digits_of_characters()
   return result;
 }
 
-// Returns the bytes behind a text in base 64, whose blanks and ends of lines are skipped.
+// Decodes a text in base 64; blanks and line ends are skipped.
 inline std::string from_base64(std::string_view text)
 {
   constexpr std::uint32_t bits_of_digit = 6, bits_of_byte = 8;
@@ -96,14 +96,14 @@ inline std::string to_base64(std::string_view bytes)
   return result;
 }
 
-// An array of a GIFTI file as its attributes tell of it.
+// An array of a GIFTI file, as described by its attributes.
 struct Gifti_array
 {
   std::string intent, type, order, encoding, endian;
   std::vector<std::uint64_t> dimensions;
   IO::Metadata metadata;
   std::vector<IO::Coordinate_system> systems;
-  std::size_t line; // of the file
+  std::size_t line; // in the file
   bool has_data = false;
 
   static constexpr std::uint64_t max_size = std::uint64_t(1) << 40;
@@ -112,7 +112,7 @@ struct Gifti_array
   std::size_t columns() const { return static_cast<std::size_t>(dimensions.size() > 1 ? dimensions[1] : 1); }
 };
 
-// Decodes the text of an array. Returns its numbers row by row. How many all arrays of a file have is bounded by its size.
+// Decodes the text of an array to its numbers, by rows. The size of the file bounds the total size of all arrays.
 class Gifti_data
 {
 public:
@@ -151,7 +151,7 @@ private:
     const auto check_size = [&](std::size_t found) {
       if(found != size)
         throw File_error("the data are ", found > size ? "more than " : "", (std::min)(found, size),
-                         " bytes, but the dimensions tell of ", size, ": the file is damaged.");
+                         " bytes, but the dimensions say ", size, ": the file is damaged.");
     };
     std::vector<double> numbers;
     if(m_array.encoding == "ASCII")
@@ -187,7 +187,7 @@ private:
     check_unpacked_size(m_unpacked_size, m_file_size);
   }
 
-  // of the two values of an attribute
+  // whether an attribute with two possible values has the second one
   static bool is_second(const std::string& value, const std::string& first, const std::string& second)
   {
     if(value != first && value != second)
@@ -198,7 +198,7 @@ private:
   template <class Number>
   std::vector<double> read_binary(const std::string& bytes, std::size_t n)
   {
-    const bool is_old_word = m_array.endian.substr(0, 13) == "GIFTI_ENDIAN_"; // as some programs have written
+    const bool is_old_word = m_array.endian.substr(0, 13) == "GIFTI_ENDIAN_"; // as written by some programs
     Byte_reader in(bytes, is_old_word ? is_second(m_array.endian, "GIFTI_ENDIAN_LITTLE", "GIFTI_ENDIAN_BIG")
                                       : is_second(m_array.endian, "LittleEndian", "BigEndian"));
     std::vector<double> numbers;
@@ -211,7 +211,7 @@ private:
   std::vector<double> read_text(const std::string& text, std::size_t n)
   {
     using Limits = std::numeric_limits<Number>;
-    if(n > text.size()) // before memory is asked for
+    if(n > text.size()) // before memory is allocated
       throw File_error("the text is too short for ", n, " numbers: ", truncated);
     add_numbers(n);
     Number_text words(text);
@@ -221,7 +221,7 @@ private:
       const std::string_view word = words.next_word();
       double x = 0.;
       if(word.empty())
-        throw File_error("there are ", numbers.size(), " numbers, but the dimensions tell of ", n, ": ", truncated);
+        throw File_error("there are ", numbers.size(), " numbers, but the dimensions say ", n, ": ", truncated);
       const bool is_number = words.is_number(word, x);
       const bool is_possible = std::is_floating_point_v<Number>
                                    ? !std::isfinite(x) || std::abs(x) <= static_cast<double>((Limits::max)())
@@ -250,7 +250,7 @@ private:
 
   const Gifti_array& m_array;
   std::size_t m_file_size;
-  std::size_t& m_unpacked_size; // bytes of the numbers of the arrays so far
+  std::size_t& m_unpacked_size; // bytes of the numbers of all arrays so far
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -32,7 +32,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Returns a text without blanks around it.
+// Returns a text without leading and trailing blanks.
 inline std::string stripped(std::string_view text)
 {
   constexpr const char* blanks = " \t\r\n";
@@ -40,14 +40,14 @@ inline std::string stripped(std::string_view text)
   return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
 }
 
-// Returns the name of an entity in the attributes of the element that the parser has come to which is none of the five that XML
-// has, or empty. Expat skips them without a call if the file has a document type.
+// Returns the name of the first entity in the attributes of the current element that is not one of the five entities of
+// XML, or an empty name. Expat skips such entities without a call if the file has a document type.
 inline std::string undeclared_entity(XML_Parser parser)
 {
   int begin = 0, size = 0;
   const char* const text = XML_GetInputContext(parser, &begin, &size);
   std::string tag = text == nullptr ? "" : std::string(text + begin, std::size_t(XML_GetCurrentByteCount(parser)));
-  tag.erase(std::remove(tag.begin(), tag.end(), '\0'), tag.end()); // of characters of 16 bits
+  tag.erase(std::remove(tag.begin(), tag.end(), '\0'), tag.end()); // from 16-bit characters
   constexpr std::array<std::string_view, 5> known = {"lt", "gt", "amp", "quot", "apos"};
   for(std::size_t k = tag.find('&'); k < tag.size(); k = tag.find('&', k + 1))
   {
@@ -58,7 +58,7 @@ inline std::string undeclared_entity(XML_Parser parser)
   return "";
 }
 
-// Returns an attribute of an element, empty if it has none of that name.
+// Returns the value of an attribute of an element, or an empty text.
 inline std::string attribute(const XML_Char* const* attributes, std::string_view name)
 {
   for(; *attributes != nullptr; attributes += 2)
@@ -73,18 +73,18 @@ inline IO::Label label_of(const XML_Char* const* attributes)
   IO::Label label;
   std::string key = attribute(attributes, "Key");
   if(key.empty())
-    key = attribute(attributes, "Index"); // as some programs call it
+    key = attribute(attributes, "Index"); // the name used by some programs
   constexpr double max = (std::numeric_limits<std::int32_t>::max)();
   double x = 0.;
   if(!Number_text::is_number(key, x) || !(x == std::floor(x) && x >= -max && x <= max))
-    throw File_error("the key of a label is ", in_quotes(key), ", which is no whole number: the file is damaged.");
+    throw File_error("the key of a label is ", in_quotes(key), ", which is not an integer: the file is damaged.");
   label.key = static_cast<std::int32_t>(x);
   label.color = {{0., 0., 0., 1.}};
   constexpr std::array<const char*, 4> names = {"Red", "Green", "Blue", "Alpha"};
   for(std::size_t k = 0; k < names.size(); ++k)
     if(const std::string text = attribute(attributes, names[k]);
        !text.empty() && !(Number_text::is_number(text, label.color[k]) && std::isfinite(label.color[k])))
-      throw File_error("the colour of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
+      throw File_error("the color of a label is ", in_quotes(text), ", which is no number: the file is damaged.");
   return label;
 }
 

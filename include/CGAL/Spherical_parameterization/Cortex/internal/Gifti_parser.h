@@ -40,11 +40,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Reads a GIFTI file. Expat calls back for each element; what is thrown then waits until expat has returned.
+// Parser for GIFTI files. Expat calls back for each element; exceptions are kept until expat has returned.
 class Gifti_parser
 {
 public:
-  // `file_size` is that of the file, which bounds the memory, before it was unpacked.
+  // `file_size` is the size of the file before unpacking, which bounds the memory.
   explicit Gifti_parser(std::size_t file_size)
     : m_file_size(file_size)
   {}
@@ -64,7 +64,7 @@ public:
     XML_Status status = XML_STATUS_OK;
     do
     {
-      constexpr std::size_t max_block = std::size_t(1) << 30; // as expat counts by int
+      constexpr std::size_t max_block = std::size_t(1) << 30; // expat counts bytes by int
       const std::string_view block = content.substr(0, max_block);
       content.remove_prefix(block.size());
       status = XML_Parse(m_parser, block.data(), static_cast<int>(block.size()), content.empty());
@@ -80,11 +80,11 @@ public:
     check_arrays(file);
     sort_by_vertices(file);
     if(m_n_arrays != m_n_declared)
-      message = File_error::join("The header tells of ", m_n_declared, " arrays, but there are ", m_n_arrays, ".\n");
+      message = File_error::join("The header announces ", m_n_declared, " arrays, but there are ", m_n_arrays, ".\n");
   }
 
 private:
-  // calls f() from within expat
+  // calls f(), from within expat
   template <class F>
   static void guard(void* data, const F& f)
   {
@@ -117,8 +117,7 @@ private:
         self.m_text.append(text, static_cast<std::size_t>(size));
     });
   }
-  // Files refer to a DTD elsewhere, which nobody fetches. Declarations within the file are for entities, by which a short
-  // file becomes a long text.
+  // The DTD is external and never loaded. Internal declarations could only expand a short file to a long text.
   static void XMLCALL refuse_declarations(void* data, const XML_Char*, const XML_Char*, const XML_Char*,
                                           int has_declarations)
   {
@@ -129,7 +128,7 @@ private:
     });
   }
 
-  // As the DTD is not read, expat skips what might be declared there, and numbers would lose digits.
+  // Since the DTD is not loaded, expat skips undeclared entities, and numbers would lose digits.
   static void XMLCALL refuse_entity(void* data, const XML_Char* name, int)
   {
     guard(data, [&](Gifti_parser& self) { self.fail_for_entity(name); });
@@ -140,9 +139,8 @@ private:
     fail("the entity ", in_quotes(name), " is not declared: the file is damaged.");
   }
 
-  // what is wrong with an array, or an element
   template <class... What>
-  [[noreturn]] void fail(const What&... what) const
+  [[noreturn]] void fail(const What&... what) const // names the array or the line
   {
     if(m_array)
       throw File_error("Array ", m_n_arrays, " (", in_quotes(m_array->intent), ", line ", m_array->line,
@@ -150,9 +148,8 @@ private:
     throw File_error("Line ", XML_GetCurrentLineNumber(m_parser), ": ", what...);
   }
 
-  // returns read(), and says where its errors are
   template <class Read>
-  auto or_fail(const Read& read) const
+  auto or_fail(const Read& read) const // calls read(), and adds the location to its errors
   {
     try
     {
@@ -164,15 +161,13 @@ private:
     }
   }
 
-  // of what is kept in memory
-  void add_size(std::size_t n_bytes)
+  void add_size(std::size_t n_bytes) // of data that are kept
   {
     m_unpacked_size += n_bytes;
     or_fail([&] { check_unpacked_size(m_unpacked_size, m_file_size); });
   }
 
-  // a whole number from 0 on that is not too large
-  std::uint64_t read_count(const std::string& text, const char* what) const
+  std::uint64_t read_count(const std::string& text, const char* what) const // at most Gifti_array::max_size
   {
     double x = 0.;
     if(!Number_text::is_number(text, x) || !(x >= 0. && x == std::floor(x) && x <= double(Gifti_array::max_size)))
@@ -218,7 +213,7 @@ private:
     m_array->order = attribute(attributes, "ArrayIndexingOrder");
     m_array->encoding = attribute(attributes, "Encoding");
     m_array->endian = attribute(attributes, "Endian");
-    constexpr std::uint64_t max_dimensions = 6; // as the format says
+    constexpr std::uint64_t max_dimensions = 6; // limit of the format
     const std::uint64_t n = read_count(attribute(attributes, "Dimensionality"), "Dimensionality");
     if(n < 1 || n > max_dimensions)
       fail("Dimensionality is ", n, ", not 1 to 6: the file is damaged.");
@@ -280,7 +275,7 @@ private:
     Number_text numbers(m_text);
     for(double& x : m_system.matrix)
       if(const std::string_view word = numbers.next_word(); !numbers.is_number(word, x))
-        fail("the matrix has ", in_quotes(word), " in the place of one of its 16 numbers: the file is damaged.");
+        fail("the matrix has ", in_quotes(word), " instead of one of its 16 numbers: the file is damaged.");
   }
 
   void read_data()
@@ -291,7 +286,7 @@ private:
       fail("it has data twice: the file is damaged.");
     m_array->has_data = true;
     m_numbers = or_fail([&] { return Gifti_data(*m_array, m_file_size, m_unpacked_size)(m_text); });
-    m_text = {}; // its memory as well
+    m_text = {}; // also releases the memory
   }
 
   void end_array()
@@ -361,7 +356,7 @@ private:
                                                                    : Type::int32;
     const bool is_label = column.intent == "NIFTI_INTENT_LABEL";
     if(is_label && column.type == Type::float32)
-      column.type = Type::int32; // as keys are not to be averaged
+      column.type = Type::int32; // keys must not be averaged
     add_size(sizeof column + column.intent.size());
     for(const auto& pair : m_array->metadata)
     {
@@ -389,11 +384,11 @@ private:
   std::exception_ptr m_exception;
   std::size_t m_file_size, m_unpacked_size = 0, m_depth = 0, m_n_declared = 0, m_n_arrays = 0;
   bool m_is_gifti = false, m_has_text = false, m_has_points = false, m_has_triangles = false, m_has_indices = false;
-  std::string m_text; // of the element
+  std::string m_text; // of the current element
   std::pair<std::string, std::string> m_pair;
   IO::Coordinate_system m_system;
-  std::optional<Gifti_array> m_array; // that is being read
-  std::vector<double> m_numbers;      // of that
+  std::optional<Gifti_array> m_array; // the current array
+  std::vector<double> m_numbers;      // of the current array
   std::set<std::int32_t> m_keys;      // of labels
 };
 

@@ -28,15 +28,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Returns how many bytes a file of this size may take in memory, so that it does not fill it. zlib packs a thousand zeros into one byte,
-// but measurements do not repeat so much. Values count as the doubles that they become.
+// Returns the number of bytes to which a file of this size may unpack, so that it cannot fill the memory. zlib can
+// compress a thousand zeros to a byte, but measurements are less repetitive. Values count as doubles.
 inline std::size_t max_unpacked_size(std::size_t file_size)
 {
   constexpr std::size_t usual_size = std::size_t(1) << 25, usual_factor = 250;
   return (std::max)(usual_size, usual_factor * file_size);
 }
 
-// Throws if a file of this size is to take more than that.
+// Throws if a file of this size is to be unpacked to more bytes than that.
 inline void check_unpacked_size(std::size_t size, std::size_t file_size)
 {
   if(size > max_unpacked_size(file_size))
@@ -45,19 +45,19 @@ inline void check_unpacked_size(std::size_t size, std::size_t file_size)
                      "the memory.");
 }
 
-// Returns whether bytes are what gzip has packed.
+// Returns whether the bytes begin as gzip data do.
 inline bool is_packed_by_gzip(std::string_view bytes)
 {
   return bytes.substr(0, 2) == "\x1F\x8B";
 }
 
-// The functions of zlib take lengths of 32 bits.
+// zlib has 32-bit lengths.
 inline uInt length_of_block(std::size_t size)
 {
   return static_cast<uInt>((std::min)(size, std::size_t((std::numeric_limits<uInt>::max)())));
 }
 
-// A stream of zlib, which `end` ends.
+// A zlib stream, released by `end`.
 template <int (*end)(z_streamp)>
 struct Zlib_stream : z_stream
 {
@@ -69,8 +69,8 @@ struct Zlib_stream : z_stream
   Zlib_stream& operator=(const Zlib_stream&) = delete;
 };
 
-// Unpacks what zlib or gzip has packed, in one stream or, if `has_members`, several. Returns one byte more than `max_size`
-// if there are more.
+// Unpacks data of zlib or gzip, in one stream or, with `has_members`, several. Returns `max_size` + 1 bytes if there
+// are more than `max_size`.
 inline std::string unpack(std::string_view packed, std::size_t max_size, bool has_members)
 {
   constexpr int any_header = 32;
@@ -110,7 +110,7 @@ inline std::string unpack(std::string_view packed, std::size_t max_size, bool ha
   return result;
 }
 
-// Packs bytes by zlib, or by gzip.
+// Compresses bytes by zlib, or by gzip.
 inline std::string pack(std::string_view bytes, bool is_gzip)
 {
   constexpr int gzip_header = 16, usual_memory = 8;

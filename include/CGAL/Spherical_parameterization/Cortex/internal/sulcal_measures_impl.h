@@ -38,9 +38,10 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Sulcal_measures sulcal_measures_of(const 
   const Vertex_rings& rings = surface.rings();
   const std::vector<Vector_3d>& points = surface.points();
   constexpr double area = 4. * CGAL_PI, min_area = 1e-12;
-  // Shorter times leave the noise of segmented images; longer ones take the smaller folds away. All of them in units of the area.
+  // Shorter times retain the noise of segmented images; longer times remove the smaller sulci and gyri. The unit is the
+  // area.
   constexpr double time_of_curvature = 1.5e-5 * area, time_of_depth = 1e-3 * area, time_of_inflated = 4e-5 * area;
-  constexpr std::size_t n_steps = 10; // Large steps go less far in deep sulci.
+  constexpr std::size_t n_steps = 10; // Larger steps yield smaller displacements in deep sulci.
   constexpr double tolerance = 1e-3;  // a thousandth of the deviation of the measures
   const double unit = surface.equal_area_radius();
   const auto curvature = [&](Vertex_scalars ways, double t) {

@@ -33,7 +33,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Says what cannot be written, and returns its code.
+// Writes why the file cannot be written, and returns the error code.
 template <class... Part>
 Error_code refuse(std::string& message, Error_code code, const Part&... parts)
 {
@@ -57,14 +57,15 @@ inline Error_code check_points(const std::vector<std::array<double, 3>>& points,
   return OK;
 }
 
-// Returns whether these are the vertices from 0 on, as none are: those of the values in formats without indices.
+// Returns whether the vertices are 0, 1, 2 and so on, or none are listed: formats without indices have the values of
+// these.
 inline bool are_consecutive(const std::vector<std::uint32_t>& vertices)
 {
   std::size_t n = 0;
   return std::all_of(vertices.begin(), vertices.end(), [&](std::uint32_t v) { return v == n++; });
 }
 
-// Checks that a format without indices holds the values.
+// Checks that a format without indices can represent the values.
 inline Error_code check_consecutive(const std::vector<std::uint32_t>& vertices, std::string& message)
 {
   return are_consecutive(vertices) ? OK
@@ -72,7 +73,7 @@ inline Error_code check_consecutive(const std::vector<std::uint32_t>& vertices, 
                                             " vertices of a surface, not of all from 0 on: write a GIFTI file.");
 }
 
-// Checks that labels have different keys and finite colours, and that vertices are named once, as the readers want it.
+// Checks that keys of labels are distinct, colors are finite, and no vertex is listed twice. The readers require this.
 inline Error_code check_labels_and_vertices(const IO::Surface_file& file, std::string& message)
 {
   std::set<std::int32_t> keys;
@@ -81,7 +82,7 @@ inline Error_code check_labels_and_vertices(const IO::Surface_file& file, std::s
     if(!keys.insert(label.key).second)
       return refuse(message, ERROR_WRONG_PARAMETER, "Two labels have the key ", label.key, ".");
     if(!std::all_of(label.color.begin(), label.color.end(), [](double x) { return std::isfinite(x); }))
-      return refuse(message, ERROR_WRONG_PARAMETER, "Label ", label.key, " has a colour that is not finite.");
+      return refuse(message, ERROR_WRONG_PARAMETER, "Label ", label.key, " has a color that is not finite.");
   }
   std::set<std::uint32_t> vertices;
   for(const std::uint32_t v : file.vertices)
@@ -90,8 +91,8 @@ inline Error_code check_labels_and_vertices(const IO::Surface_file& file, std::s
   return OK;
 }
 
-// Checks that each number is of the type of its column, and that a file whose numbers are of 32 bits holds it: `are_floats` says
-// that integers are written as floating-point numbers, too.
+// Checks that the numbers have the type of their columns and fit into a 32-bit type. With `are_floats`, integers are
+// written in single precision, too.
 inline Error_code check_columns(const std::vector<IO::Vertex_values>& columns, bool are_floats, std::string& message)
 {
   using Type = IO::Vertex_values::Type;
@@ -118,7 +119,7 @@ inline Error_code check_columns(const std::vector<IO::Vertex_values>& columns, b
   return OK;
 }
 
-// Throws if the values of each vertex are so many that what is kept for each column would fill the memory.
+// Throws if there are so many values per vertex that the data kept for each column would fill the memory.
 inline void check_number_of_columns(std::size_t n)
 {
   constexpr std::size_t max_columns = 1 << 14;
@@ -127,7 +128,7 @@ inline void check_number_of_columns(std::size_t n)
                      ": it is damaged, or no file of values of vertices.");
 }
 
-// Checks what follows the data of a file: numbered records, most of which begin with their length.
+// Checks the records that follow the data of a file. A record has a number, and most records have a length.
 inline void check_footer(Byte_reader in)
 {
   enum Tag : std::int32_t
@@ -145,7 +146,7 @@ inline void check_footer(Byte_reader in)
     if(tag <= 0 || tag > max_tag)
       throw File_error("The file goes on after its data, at byte ", begin, " of ", begin + in.remaining(),
                        ", with what is no footer: it is damaged, or the numbers in its header are wrong.");
-    if(tag == old_color_table) // whose length is not given
+    if(tag == old_color_table) // has no length
       return;
     if(tag == old_real_coordinates)
       in.read_bytes(sizeof(std::int32_t), "the footer");
@@ -165,7 +166,7 @@ inline void check_footer(Byte_reader in)
   }
 }
 
-// Throws unless all corners are points.
+// Throws unless all corners are indices of points.
 inline void check_corners(const IO::Surface_file& file)
 {
   for(std::size_t f = 0; f < file.triangles.size(); ++f)
@@ -175,7 +176,7 @@ inline void check_corners(const IO::Surface_file& file)
                          file.points.size(), " vertices, counted from 0: the file is damaged.");
 }
 
-// Throws unless the corners, the columns and the vertices that these are of agree.
+// Throws unless the sizes of triangles, columns and vertices are consistent.
 inline void check_arrays(const IO::Surface_file& file)
 {
   check_corners(file);
@@ -189,7 +190,7 @@ inline void check_arrays(const IO::Surface_file& file)
   }
 }
 
-// Sorts the values by the vertices that they are of, if the file names these. Throws if one is there twice, or does not exist.
+// Sorts the values by vertex if the file lists the vertices. Throws if a vertex is listed twice or does not exist.
 inline void sort_by_vertices(IO::Surface_file& file)
 {
   if(file.vertices.empty())

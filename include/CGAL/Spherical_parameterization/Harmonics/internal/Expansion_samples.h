@@ -39,18 +39,19 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The sums over harmonics whose values at the nodes are nearest to given ones, by weighted least squares: conjugate gradients on the
-// normal equations, whose matrix is never formed. One step costs two transforms, where a matrix of all products would cost as
-// much as n steps for n coefficients. With the weights of a Gauss grid the matrix is the identity, and one step is enough; otherwise
-// its condition is that of the ratio of weights and areas on the sphere. Where nodes leave directions in the space of coefficients
-// nearly free, steps go on for little: the iteration ends where ten of them lower the sum of squares by less than a thousandth, or the
-// residual has fallen to rounding.
+// Weighted least squares fit of sums of harmonics to values at the nodes, by conjugate gradients on the normal
+// equations. Their matrix is never formed: an iteration costs two transforms, whereas forming the matrix would cost
+// about as much as n iterations for n coefficients. With the weights of a Gauss-Legendre grid, the matrix is the
+// identity, and one iteration is enough. Otherwise, its condition number is at most the ratio of the largest to the
+// smallest quotient of weight and area on the sphere. If the nodes hardly determine some directions in the space of
+// coefficients, late iterations gain little. So the iteration ends when ten iterations decrease the sum of squares by
+// less than 0.1 percent, or when the residual is at the level of rounding errors.
 class Least_squares
 {
 public:
   static constexpr std::size_t n_functions = Sphere_nodes::n_functions;
 
-  // `weights` in the order of values, those of the nodes that fill up a group are 0
+  // `weights` has the order of the values; nodes that pad a group have the weight 0
   Least_squares(const Spherical_harmonic_transform& transform, const Sphere_nodes& nodes,
                 const std::vector<double>& weights, const Execution& execution)
     : m_transform(transform)
@@ -59,7 +60,7 @@ public:
     , m_execution(execution)
   {}
 
-  // Returns whether it was not stopped.
+  // Returns false if the control has stopped it.
   bool solve(const std::vector<double>& values, std::vector<double>& coefficients, Run_control& control)
   {
     constexpr std::size_t max_steps = 1000, n_between = 10;
@@ -67,7 +68,7 @@ public:
     using Values = std::vector<double>;
     using Numbers = std::array<double, n_functions>;
     Values residual, image, product = weighed(values);
-    Numbers squares = dots_at_nodes(values, product); // the sums that are made least
+    Numbers squares = dots_at_nodes(values, product); // the minimized sums
     m_transform.project(m_nodes, product, residual, m_execution);
     coefficients.assign(residual.size(), 0.);
     Numbers last = {}; // the products before the last step
@@ -101,7 +102,8 @@ public:
     return !control.is_stopped();
   }
 
-  // The integrals of the values times harmonics, which is the same if the weights are those of a Gauss grid.
+  // Integrates the products of the values and the harmonics. For the weights of a Gauss-Legendre grid, this equals
+  // solve().
   void project(const std::vector<double>& values, std::vector<double>& coefficients) const
   {
     m_transform.project(m_nodes, weighed(values), coefficients, m_execution);
@@ -109,7 +111,7 @@ public:
 
   std::size_t number_of_steps() const { return m_n_steps; }
 
-  // The weighted sum of the squared differences between values and what the coefficients make of them.
+  // Weighted sum of the squared differences between the values and the sums of harmonics.
   double squared_error(const std::vector<double>& values, const std::vector<double>& coefficients) const
   {
     std::vector<double> differences;
@@ -155,7 +157,7 @@ private:
   std::size_t m_n_steps = 0;
 };
 
-// The area of a triangle of these points.
+// Returns a function for the area of a triangle given by indices of these points.
 inline auto area_on(const std::vector<Vector_3d>& points)
 {
   return [&points](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -163,11 +165,11 @@ inline auto area_on(const std::vector<Vector_3d>& points)
   };
 }
 
-// Where functions of the vertices are sampled, and what each sample counts. The weights have the sum 1.
+// Samples of functions on the vertices, and their weights, whose sum is 1.
 class Expansion_samples
 {
 public:
-  // Samples at the vertices, weighted with a third of the areas of their faces.
+  // Samples at the vertices, each weighted by a third of the area of its faces.
   explicit Expansion_samples(const Expansion_surface& surface)
     : m_nodes(directions_of(surface.images))
     , m_counts(vertex_sums(surface.triangles, surface.points.size(), area_on(surface.points)))
@@ -178,9 +180,9 @@ public:
       m_terms.push_back({{v, v, v}, {1., 0., 0.}});
   }
 
-  // Samples at the nodes of a grid, which stand for parts of the surface, or of the sphere. In a triangle with the images p, q, r
-  // and the area A on the surface, areas of the surface are those of the sphere at the direction of x times 2 A |x|^3 / det(p, q, r),
-  // where x is the point of the flat triangle p, q, r.
+  // Samples at the nodes of a grid, weighted by area on the surface or on the sphere. For a triangle with the images p,
+  // q, r and the area A on the surface, the ratio of area on the surface to area on the sphere in the direction of a
+  // point x of the flat triangle p, q, r is 2 A |x|^3 / det(p, q, r).
   Expansion_samples(const Expansion_surface& surface, Gauss_grid grid, bool weighs_surface)
     : m_nodes(std::move(grid.nodes))
   {
@@ -237,7 +239,7 @@ private:
     return images;
   }
 
-  // Turns the counts into weights; into those of `usual` if there is no area.
+  // Normalizes the counts to weights with the sum 1. If all are 0, the weights are those of `usual`.
   void normalize_counts(const std::vector<double>& usual)
   {
     double sum = 0.;
@@ -258,15 +260,15 @@ private:
   }
 
   Sphere_nodes m_nodes;
-  std::vector<double> m_counts, m_weights; // of each sample, and in the order of values
+  std::vector<double> m_counts, m_weights; // per sample; in the order of the values
   std::vector<Vertex_mean> m_terms;
 };
 
-// Expansions of functions of the vertices of a mesh.
+// Expansions of functions on the vertices of a mesh.
 class Expansion
 {
 public:
-  // The points of the surface are scaled such that their areas neither overflow nor vanish.
+  // The points must be scaled so that areas neither overflow nor underflow.
   Expansion(const Expansion_surface& surface, std::size_t degree, Harmonic_weights weights, const Execution& execution)
     : m_transform(degree)
     , m_at_vertices(surface)
@@ -287,8 +289,8 @@ public:
   const Spherical_harmonic_transform& transform() const { return m_transform; }
   const Harmonic_fit& fit() const { return m_fit; }
 
-  // Writes the coefficients of three functions of the vertices in the order of the transform, and adds to what is known of the fit.
-  // Returns whether it was not stopped.
+  // Writes the coefficients of three functions on the vertices in the order of the transform, and updates the fit.
+  // Returns false if the control has stopped it.
   bool expand(const std::vector<Vector_3d>& of_vertices, std::vector<double>& coefficients, Run_control& control)
   {
     std::vector<Vector_3d> values = of_vertices;
@@ -301,7 +303,7 @@ public:
     if(!solve(samples, values, coefficients, true, control) ||
        (m_coarse && !solve(*m_coarse, values, coarse, false, control)))
       return false;
-    double difference = 0.; // of harmonics whose squares have the mean 1
+    double difference = 0.; // for harmonics with mean square 1
     for(std::size_t k = 0; k < coarse.size(); ++k)
       difference += (coefficients[k] - coarse[k]) * (coefficients[k] - coarse[k]);
     const auto add = [&](double& error, double square) {
@@ -313,13 +315,14 @@ public:
     for(double& c : coefficients)
       c = std::ldexp(c, exponent);
     for(std::size_t i = 0; i < Sphere_nodes::n_functions; ++i)
-      coefficients[i] += origin[i]; // those of degree 0
+      coefficients[i] += origin[i]; // degree 0
     return control.go_further(0, 0.);
   }
 
 private:
-  // The grid has twice as many parallels as the degree needs, and as the mesh has vertices across, as functions that are linear on
-  // faces have all degrees: what is above that of the grid is taken for something below. It has more than 600 for high degrees only.
+  // Functions that are linear on faces have harmonics of all degrees, and those above the degree of the grid cause
+  // aliasing. So the grid has twice as many parallels as the degree, or the resolution of the mesh, requires. More than
+  // 600 are used only for high degrees.
   static std::size_t degree_of_grid(std::size_t degree, std::size_t n_vertices)
   {
     constexpr std::size_t usual_maximum = 600;
@@ -350,7 +353,7 @@ private:
   Spherical_harmonic_transform m_transform;
   Harmonic_fit m_fit;
   Expansion_samples m_at_vertices, m_over_surface;
-  std::optional<Expansion_samples> m_over_sphere, m_coarse; // with fewer parallels
+  std::optional<Expansion_samples> m_over_sphere, m_coarse; // the second one with fewer parallels
   Execution m_execution;
 };
 

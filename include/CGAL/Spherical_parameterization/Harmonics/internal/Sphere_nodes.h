@@ -28,15 +28,16 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Nodes on parallels of the sphere: those of a parallel share its Legendre functions. A direction that is on no grid is the
-// only node of its parallel. Parallels are in groups of four, for vector registers; the last group is filled up by nodes on the
-// equator. Each node has the values of three functions, in an array of the order [group][function][longitude][lane].
+// Nodes on parallels of the sphere. Nodes on the same parallel share its Legendre functions; a direction that is not on
+// a grid is the only node of its parallel. Parallels form groups of four for vector registers, and nodes on the equator
+// pad the last group. Each node has the values of three functions; the order of the values is
+// [group][function][longitude][lane].
 class Sphere_nodes
 {
 public:
   static constexpr std::size_t lanes = 4, n_functions = 3;
 
-  // the given directions, at distance 1
+  // Nodes at the given directions, which must have length 1.
   explicit Sphere_nodes(const std::vector<Vector_3d>& directions)
     : Sphere_nodes(directions.size(), 1, false)
   {
@@ -50,7 +51,7 @@ public:
     }
   }
 
-  // A grid: as many parallels as cosines are given, of `width` nodes that are the same angle apart.
+  // A grid with the given parallels, each with `width` equally spaced nodes.
   Sphere_nodes(const std::vector<double>& cosines_of_parallels, std::size_t width)
     : Sphere_nodes(cosines_of_parallels.size(), width, true)
   {
@@ -73,13 +74,13 @@ public:
   std::size_t size_of_group() const { return n_functions * m_width * lanes; }
   std::size_t number_of_values() const { return number_of_groups() * size_of_group(); }
 
-  // where the value of a function at a node is
+  // index of the value of a function at a node
   std::size_t place(std::size_t parallel, std::size_t i, std::size_t function) const
   {
     return ((parallel / lanes * n_functions + function) * m_width + i) * lanes + parallel % lanes;
   }
 
-  // where the longitudes of a group begin: all parallels of a grid have the same ones
+  // index of the first longitude of a group; all parallels of a grid share the same longitudes
   std::size_t first_longitude(std::size_t group) const { return m_is_grid ? 0 : group * lanes; }
 
   Vector_3d direction(std::size_t parallel, std::size_t i) const
@@ -120,8 +121,8 @@ private:
   bool m_is_grid;
 };
 
-// Nodes by which the integral of a product of two functions that consist of harmonics up to a degree is exact: degree + 1
-// parallels at the zeros of the Legendre polynomial of that number, by Gauss, and 2 degree + 2 longitudes.
+// A Gauss-Legendre grid, on which integrals of products of two functions with harmonics up to `degree` are exact:
+// degree + 1 parallels at the zeros of the Legendre polynomial of degree + 1, and 2 degree + 2 longitudes.
 struct Gauss_grid
 {
   explicit Gauss_grid(std::size_t degree)
@@ -129,7 +130,7 @@ struct Gauss_grid
   {}
 
   Sphere_nodes nodes;
-  std::vector<double> weights; // of a node of each parallel; those of all nodes have the sum 1
+  std::vector<double> weights; // of a node of each parallel; the sum over all nodes is 1
 
 private:
   using Rule = std::pair<std::vector<double>, std::vector<double>>; // zeros, weights
@@ -142,7 +143,7 @@ private:
       w /= 2. * static_cast<double>(width);
   }
 
-  // the zeros, from the north to the south, by Newton's method, and the weights, whose sum is 2
+  // zeros from north to south, by Newton's method, and weights, whose sum is 2
   static Rule zeros_and_weights(std::size_t n)
   {
     Rule rule = {std::vector<double>(n), std::vector<double>(n)};
@@ -150,7 +151,7 @@ private:
     for(std::size_t k = 0; k < n; ++k)
     {
       double x = cosine(CGAL_PI * (static_cast<double>(k) + 0.75) / (size + 0.5)), slope = 1.;
-      constexpr int n_steps = 5; // Three are enough for all n; the first guess is off by less than 1 / n^2.
+      constexpr int n_steps = 5; // Three are enough for all n; the initial value is off by less than 1 / n^2.
       for(int step = 0; step < n_steps; ++step)
       {
         double p = 1., before = 0.; // the polynomials of degree j and j - 1

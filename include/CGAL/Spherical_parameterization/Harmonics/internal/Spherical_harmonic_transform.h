@@ -28,17 +28,18 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The sums of three functions over the real harmonics up to a degree, and the adjoint map. The harmonics are those with
-// normalisation 4 pi, whose squares have the mean 1 over the sphere, without the phase (-1)^m:
+// The map from coefficients to the values of three functions, sums of real harmonics up to a degree, and its adjoint.
+// The harmonics are in 4 pi normalization, with mean square 1 over the sphere, and without the phase (-1)^m:
 //
-//   P_lm(cos t) cos(m p) and P_lm(cos t) sin(m p), t from the z-axis, p the longitude.
+//   P_lm(cos t) cos(m p) and P_lm(cos t) sin(m p), where t is the angle from the z-axis and p the longitude.
 //
-// Coefficients are in the order [m][l][cosine or sine][function], l from m on.
+// Coefficients are in the order [m][l][cosine or sine][function], with l starting at m.
 //
-// P_lm = P_mm q_lm, where P_mm = c_m sin^m t and q_lm by the recursion in l from q_mm = 1, which is stable. Where P_lm is not
-// tiny, t is beyond the turning point, sin t > m / l nearly, so that P_mm > (m / l)^m, which is least at m = l / e: e^(-l / e),
-// 1e-160 for the degree 1000. So P_mm may be set to 0 below 1e-290, and no q_lm overflows: the scale of Holmes and Featherstone
-// (2002), who have 1e-280 for degrees up to 2700, is not needed.
+// P_lm = P_mm q_lm, where P_mm = c_m sin^m t, and q_lm is computed by the recursion in l from q_mm = 1, which is
+// stable. Where P_lm is not tiny, t is beyond the turning point, at which sin t is about m / l, so that P_mm > (m /
+// l)^m. The minimum of this bound is e^(-l / e) at m = l / e, which is 1e-160 for the degree 1000. So P_mm may be set
+// to 0 below 1e-290, and no q_lm overflows. The scale of Holmes and Featherstone (2002), 1e-280 for degrees up to 2700,
+// is not needed.
 class Spherical_harmonic_transform
 {
 public:
@@ -67,13 +68,13 @@ public:
   std::size_t degree() const { return m_degree; }
   std::size_t number_of_coefficients() const { return n_sums * m_steps.size(); }
 
-  // where the coefficients of the three functions are for P_lm cos(m p), or with the sine
+  // index of the coefficients of the three functions for P_lm cos(m p) or P_lm sin(m p)
   std::size_t place(std::size_t l, std::size_t m, bool is_sine) const
   {
     return n_sums * (m_begins[m] + l - m) + (is_sine ? n_functions : 0);
   }
 
-  // Writes the values of the functions with these coefficients at the nodes.
+  // Computes the values at the nodes.
   void evaluate(const Sphere_nodes& nodes, const std::vector<double>& coefficients, std::vector<double>& values,
                 const Execution& execution) const
   {
@@ -105,8 +106,8 @@ public:
     });
   }
 
-  // Writes the products of the values at the nodes with all harmonics, summed over the nodes. The parts are added up in order,
-  // and so are the lanes: all bits are the same for any number of threads and lanes.
+  // Computes the sum over the nodes of the products of the values and each harmonic. Parts and lanes are added in a
+  // fixed order, so that the result is bitwise identical for any number of threads and any width of vector registers.
   void project(const Sphere_nodes& nodes, const std::vector<double>& values, std::vector<double>& coefficients,
                const Execution& execution) const
   {
@@ -115,7 +116,7 @@ public:
       using FT = typename decltype(number_type)::FT;
       constexpr std::size_t lanes = Sphere_nodes::lanes;
       parts[part].assign(number_of_coefficients(), 0.);
-      std::vector<double> sums_of_lanes(lanes * n_sums * (m_degree + 1)); // of one m
+      std::vector<double> sums_of_lanes(lanes * n_sums * (m_degree + 1)); // for one m
       std::size_t m_before = 0;
       const auto add_up_lanes = [&] {
         for(std::size_t k = 0; k < n_sums * (m_degree + 1 - m_before); ++k)
@@ -164,8 +165,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_parts =
-      16; // of the work: enough for as many threads; each has a copy of the coefficients
+  static constexpr std::size_t max_parts = 16; // enough for as many threads; each part has a copy of the coefficients
 
   struct Step
   {
@@ -178,7 +178,7 @@ private:
     return {FT(0.), FT(0.), FT(0.), FT(0.), FT(0.), FT(0.)};
   }
 
-  // Calls f(number_type, part, begin, end) for parts of the groups of nodes, in parallel.
+  // Calls f(number_type, part, begin, end) for ranges of groups of nodes, in parallel.
   template <class Function>
   void for_each_part(const Sphere_nodes& nodes, const Execution& execution, const Function& f) const
   {
@@ -188,15 +188,15 @@ private:
     });
   }
 
-  // Calls f(m, group, lane, x, P_mm, turns) for each m, and for all lanes of all groups in turn: from `turns` on there are
-  // cos(m p) for all longitudes of the group, and then sin(m p).
+  // Calls f(m, group, lane, x, P_mm, turns) for each m, for all groups and lanes. `turns` points to cos(m p) for all
+  // longitudes of the group, followed by sin(m p).
   template <class FT, class Function>
   void for_each_order(const Sphere_nodes& nodes, std::size_t begin, std::size_t end, const Function& f) const
   {
     constexpr std::size_t lanes = Sphere_nodes::lanes;
     constexpr double negligible = 1e-290;
     const std::size_t width = nodes.width() * lanes;
-    const std::size_t stride = nodes.first_longitude(1) == 0 ? 0 : 2 * width; // of the turns of a group
+    const std::size_t stride = nodes.first_longitude(1) == 0 ? 0 : 2 * width; // distance of the groups in `turns`
     std::vector<double> diagonals((end - begin) * lanes, 1.), turns((stride == 0 ? 1 : end - begin) * 2 * width);
     for(std::size_t k = 0; k < turns.size(); ++k)
       turns[k] = k / width % 2 == 0 ? 1. : 0.;
@@ -244,13 +244,13 @@ private:
   }
 
   std::size_t m_degree;
-  std::vector<std::size_t> m_begins; // of the steps of each m
+  std::vector<std::size_t> m_begins; // index of the first step of each m
   std::vector<Step> m_steps;         // for each m and l
-  std::vector<double> m_diagonal;    // P_(m + 1)(m + 1) over P_mm sin t
+  std::vector<double> m_diagonal;    // P_(m + 1)(m + 1) / (P_mm sin t)
 };
 
-// Calls f(place, l, m, function) for the coefficients of up to three functions, the first of them `first`, in the order of the
-// transform.
+// Calls f(place, l, m, function) for the coefficients of up to three functions, beginning with the function `first`, in
+// the order of the transform.
 template <class Function>
 void for_each_coefficient(const Spherical_harmonic_transform& transform, std::size_t first, std::size_t n_functions,
                           const Function& f)
@@ -263,7 +263,7 @@ void for_each_coefficient(const Spherical_harmonic_transform& transform, std::si
           static_cast<std::size_t>(l), m, first + k);
 }
 
-// Writes coefficients of the transform, whose normalization `harmonics` has to have.
+// Writes coefficients in the order of the transform to `harmonics`, which must have the normalization of the transform.
 inline void write_coefficients(const Spherical_harmonic_transform& transform, const std::vector<double>& coefficients,
                                std::size_t first, Spherical_harmonics_3& harmonics)
 {
@@ -273,7 +273,7 @@ inline void write_coefficients(const Spherical_harmonic_transform& transform, co
                        });
 }
 
-// Reads them again.
+// Returns coefficients in the order of the transform.
 inline std::vector<double> read_coefficients(const Spherical_harmonic_transform& transform,
                                              const Spherical_harmonics_3& harmonics, std::size_t first)
 {
@@ -285,7 +285,7 @@ inline std::vector<double> read_coefficients(const Spherical_harmonic_transform&
   return result;
 }
 
-// The same harmonics as those of the transform.
+// Converts to the normalization of the transform.
 inline Spherical_harmonics_3 in_normalization_of_transform(Spherical_harmonics_3 harmonics)
 {
   harmonics.convert(Harmonic_normalization::four_pi, false);

@@ -38,8 +38,7 @@ Error_code evaluate_harmonics(const Spherical_harmonics_3& harmonics, const std:
 {
   if(!are_finite(directions))
     return ERROR_INVALID_DIRECTION;
-  constexpr std::size_t n_at_once =
-      1 << 14; // between two questions to the control, a tenth of a second at the degree 200
+  constexpr std::size_t n_at_once = 1 << 14; // between calls of the control; takes 0.1 s at the degree 200
   const Spherical_harmonics_3 same = in_normalization_of_transform(harmonics);
   const std::size_t n_functions = same.number_of_functions();
   const Spherical_harmonic_transform transform(same.degree());
@@ -98,8 +97,9 @@ Error_code expand_functions(Expansion_surface surface, const std::vector<double>
   return OK;
 }
 
-// Replaces functions by those that have at R q what they had at q. Sums of harmonics up to a degree remain such, and a Gauss grid of
-// the degree finds their coefficients exactly, so that the values at its nodes are all that is needed.
+// Replaces functions by functions whose value at R q is the old value at q. Rotation preserves the degree, and a
+// Gauss-Legendre grid of this degree gives exact coefficients. So the values at the nodes of the rotated grid are
+// sufficient.
 inline Error_code rotate_harmonics(Spherical_harmonics_3& harmonics, const Rotation_matrix& r, Run_control& control,
                                    const Execution& execution)
 {
@@ -139,7 +139,7 @@ Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
                             const Aff_transformation_3<Exact_predicates_inexact_constructions_kernel>& rotation,
                             Run_control& control, const Execution& execution)
 {
-  constexpr double max_deviation = 1e-6; // of a matrix that was written to a file with seven digits
+  constexpr double max_deviation = 1e-6; // so that a matrix from a file with seven digits is accepted
   Rotation_matrix matrix;
   for(std::size_t i = 0; i < 3; ++i)
     for(std::size_t j = 0; j < 3; ++j)
@@ -151,14 +151,16 @@ Error_code rotate_harmonics(Spherical_harmonics_3& harmonics,
   return deviation <= max_deviation ? rotate_harmonics(harmonics, matrix, control, execution) : ERROR_WRONG_PARAMETER;
 }
 
-// The ellipsoid that the harmonics of degree 1 make of a surface: a direction q leads to center + A q, and A = U S V^T, where the
-// columns of U are the axes on the surface, those of V their directions on the sphere, and S has half their lengths.
+// The ellipsoid given by the harmonics of degree 1, which map a direction q to center + A q. With A = U S V^T, the
+// columns of U are the axes of the ellipsoid, those of V are their directions on the sphere, and S holds half their
+// lengths.
 struct First_degree_ellipsoid
 {
   Vector_3d center, lengths;
-  Rotation_matrix axes_of_surface, axes_of_sphere; // in rows
+  Rotation_matrix axes_of_surface, axes_of_sphere; // as rows
 
-  // Reads coefficients in the normalization of the transform, where the harmonics of degree 1 are sqrt(3) times y, z and x.
+  // `harmonics` must have the normalization of the transform, in which the harmonics of degree 1 are sqrt(3) times y, z
+  // and x.
   explicit First_degree_ellipsoid(const Spherical_harmonics_3& harmonics)
   {
     constexpr std::array<std::ptrdiff_t, 3> orders = {1, -1, 0}; // of x, y and z
@@ -180,7 +182,7 @@ struct First_degree_ellipsoid
 
     // One-sided Jacobi rotations make the columns of A V orthogonal.
     Rotation_matrix v = {Vector_3d{1., 0., 0.}, Vector_3d{0., 1., 0.}, Vector_3d{0., 0., 1.}};
-    constexpr int n_sweeps = 20; // Six or so are enough.
+    constexpr int n_sweeps = 20; // About six are enough.
     for(int sweep = 0; sweep < n_sweeps; ++sweep)
       for(std::size_t i = 0; i < 3; ++i)
         for(std::size_t j = i + 1; j < 3; ++j)
@@ -217,8 +219,8 @@ struct First_degree_ellipsoid
     }
   }
 
-  // Turns the axes by half a turn such that the third moments of the surface along the first two are positive. Returns the moments
-  // over the powers 3/2 of the second ones.
+  // Rotates the axes by half-turns so that the third moments of the surface along the first two axes are positive.
+  // Returns the moments, divided by the 3/2 power of the second moments.
   Vector_3d orient(const Spherical_harmonics_3& harmonics, const Execution& execution)
   {
     Vector_3d result = skewness(harmonics, execution);
@@ -233,7 +235,7 @@ struct First_degree_ellipsoid
     return result;
   }
 
-  // Moves the centre to the origin and turns the axes into those of space.
+  // Moves the center to the origin, and rotates the axes to the coordinate axes.
   void move_surface(Spherical_harmonics_3& harmonics) const
   {
     const auto degree = static_cast<std::ptrdiff_t>(harmonics.degree());
@@ -249,7 +251,7 @@ struct First_degree_ellipsoid
   }
 
 private:
-  // On a grid that is exact for the third powers of the functions.
+  // Computed on a grid that is exact for the third powers of the functions.
   Vector_3d skewness(const Spherical_harmonics_3& harmonics, const Execution& execution) const
   {
     const Gauss_grid grid(harmonics.degree() + (harmonics.degree() + 1) / 2);
@@ -258,7 +260,7 @@ private:
     for(double& c : coefficients)
       c = std::ldexp(c, -m_exponent);
     for(std::size_t i = 0; i < 3; ++i)
-      coefficients[i] = 0.; // the centre
+      coefficients[i] = 0.; // the center
     transform.evaluate(grid.nodes, coefficients, values, execution);
     Vector_3d second = {0., 0., 0.}, third = {0., 0., 0.};
     for(std::size_t j = 0; j < grid.nodes.number_of_parallels(); ++j)
@@ -285,9 +287,8 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 Error_code move_harmonics(Spherical_harmonics_3& harmonics, Standard_position& position, Run_control& control,
                           const Execution& execution)
 {
-  constexpr double same =
-      0.01; // of lengths and skewness: some five times what another map of the same surface makes of them
-  constexpr double nothing = 1e-10; // of lengths
+  constexpr double same = 0.01;     // relative; about five times the variation between maps of a surface
+  constexpr double nothing = 1e-10; // relative to the largest length
   if(harmonics.number_of_functions() != 3 || harmonics.degree() == 0)
     return ERROR_WRONG_PARAMETER;
   Spherical_harmonics_3 moved = in_normalization_of_transform(harmonics);

@@ -40,7 +40,7 @@ inline std::ostringstream text_with_all_digits()
   return text;
 }
 
-// Returns the degree that has `n` coefficients.
+// Returns the degree for which there are `n` coefficients.
 inline std::size_t degree_with(std::size_t n, const char* what)
 {
   const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
@@ -52,7 +52,7 @@ inline std::size_t degree_with(std::size_t n, const char* what)
   return size - 1;
 }
 
-// Reads what is between signs, and says in which line something is wrong.
+// Reads numbers and punctuation marks; errors state the line.
 class Coef_parser
 {
 public:
@@ -105,8 +105,9 @@ private:
   std::size_t m_position = 0, m_line = 1;
 };
 
-// Calls f(l, m, factor) for the coefficients in the order of SPHARM-PDM. A coefficient of the file is that of the real orthonormal
-// harmonic times the factor: these are sqrt(2) times the real and imaginary parts of complex harmonics.
+// Calls f(l, m, factor) for the coefficients in the order of SPHARM-PDM. A coefficient in the file is that of the real
+// orthonormal harmonic times the factor, since the file has sqrt(2) times the real and imaginary parts of complex
+// harmonics.
 template <class Function>
 void for_each_in_coef(std::size_t degree, const Function& f)
 {
@@ -126,7 +127,7 @@ inline void read_coef(const std::string& content, Spherical_harmonics_3& result,
   Coef_parser in(content);
   in.expect('{');
   const double n = in.number();
-  constexpr std::size_t min_size = 7; // of a coefficient: {0,0,0}
+  constexpr std::size_t min_size = 7; // bytes of a coefficient, {0,0,0}
   if(!(n >= 1. && n <= static_cast<double>(content.size() / min_size)) || n != std::floor(n))
     throw File_error("The file says that it has ", n,
                      " coefficients, and is too short for that, or it is no .coef file: ", truncated);
@@ -160,7 +161,7 @@ inline std::string coef_text(Spherical_harmonics_3 harmonics)
   return text.str();
 }
 
-inline constexpr std::pair<Harmonic_normalization, const char*> words_of_normalizations[] = {
+inline constexpr std::pair<Harmonic_normalization, const char*> names_of_normalizations[] = {
     {Harmonic_normalization::four_pi, "4pi"},
     {Harmonic_normalization::orthonormal, "ortho"},
     {Harmonic_normalization::schmidt, "schmidt"}};
@@ -176,7 +177,7 @@ inline std::string table_text(const Spherical_harmonics_3& harmonics)
     else
       text << ",f" << k + 1;
   text << ",normalization,csphase\n";
-  const char* const word = words_of_normalizations[static_cast<std::size_t>(harmonics.normalization())].second;
+  const char* const word = names_of_normalizations[static_cast<std::size_t>(harmonics.normalization())].second;
   for(std::size_t l = 0; l <= harmonics.degree(); ++l)
     for(std::ptrdiff_t m = -static_cast<std::ptrdiff_t>(l); m <= static_cast<std::ptrdiff_t>(l); ++m)
     {
@@ -188,7 +189,7 @@ inline std::string table_text(const Spherical_harmonics_3& harmonics)
   return text.str();
 }
 
-// The fields of a line, without quotes.
+// Returns the fields of a line, without quotes.
 inline std::vector<std::string_view> fields_of(std::string_view line)
 {
   std::vector<std::string_view> result;
@@ -239,9 +240,9 @@ inline void read_table(std::string_view content, Spherical_harmonics_3& result, 
                        " names of columns: the file is damaged, or ", truncated);
     const std::string_view word = fields[n_columns - 2];
     const double phase = number(i, fields[n_columns - 1]);
-    const auto* const found = std::find_if(std::begin(words_of_normalizations), std::end(words_of_normalizations),
+    const auto* const found = std::find_if(std::begin(names_of_normalizations), std::end(names_of_normalizations),
                                            [&](const auto& normalization) { return word == normalization.second; });
-    if(found == std::end(words_of_normalizations))
+    if(found == std::end(names_of_normalizations))
       throw File_error("Line ", i + 1, ": the normalization is ", in_quotes(word),
                        ", but 4pi, ortho and schmidt are read.");
     if(phase != 1. && phase != -1.)
@@ -272,7 +273,7 @@ namespace IO {
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_SPHARM_PDM(std::istream& in, Spherical_harmonics_3& harmonics,
                                                                   std::string& message)
 {
-  return internal::read_or_tell(in, harmonics, message, internal::read_coef, ERROR_INVALID_HARMONICS_FILE);
+  return internal::read_or_report(in, harmonics, message, internal::read_coef, ERROR_INVALID_HARMONICS_FILE);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_SPHARM_PDM(std::ostream& out,
@@ -287,7 +288,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code read_harmonics_table(std::istr
                                                                        Spherical_harmonics_3& harmonics,
                                                                        std::string& message)
 {
-  return internal::read_or_tell(in, harmonics, message, internal::read_table, ERROR_INVALID_HARMONICS_FILE);
+  return internal::read_or_report(in, harmonics, message, internal::read_table, ERROR_INVALID_HARMONICS_FILE);
 }
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code write_harmonics_table(std::ostream& out,

@@ -33,7 +33,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A surface that is being repaired, and where its parts come from.
+// A surface under repair, and the sources of its vertices and triangles.
 struct Repaired_triangles
 {
   using Index = Glued_triangles::Index;
@@ -52,9 +52,9 @@ struct Repaired_triangles
 
   Glued_triangles surface;
   std::vector<Vector_3d> points;
-  std::vector<Index> vertices; // which vertex of the input each one is, or none
-  std::vector<Index> faces;    // which polygon of the input each triangle is a part of, or none
-  std::vector<Index> patches;  // and which patch, or none
+  std::vector<Index> vertices; // for each vertex, the vertex of the input, or none
+  std::vector<Index> faces;    // for each triangle, the polygon of the input that contains it, or none
+  std::vector<Index> patches;  // for each triangle, its patch, or none
 
   Index add_vertex(const Vector_3d& p, Index source = Glued_triangles::none)
   {
@@ -73,7 +73,7 @@ struct Repaired_triangles
     return squared_length(points[surface.target(side)] - points[surface.source(side)]);
   }
 
-  // Whether both of its triangles are of the same patch.
+  // Whether both triangles of a side belong to the same patch.
   bool is_of_patch(Index side) const
   {
     return patches[side / 3] != Glued_triangles::none && patches[side / 3] == patches[surface.mate(side) / 3];
@@ -85,7 +85,7 @@ struct Repaired_triangles
     return 0.5 * doubled_area(points[a], points[b], points[c]);
   }
 
-  // Divides a side in its middle. Returns the new vertex.
+  // Splits a side at its midpoint. Returns the new vertex.
   Index split(Index side)
   {
     const Index t = side / 3, u = surface.mate(side) / 3, result = add_vertex(middle_of(side));
@@ -98,7 +98,7 @@ struct Repaired_triangles
     return result;
   }
 
-  // Gives fans of triangles that have been separated vertices of their own. Returns how many there are.
+  // Duplicates vertices so that each fan of triangles has its own. Returns the number of new vertices.
   std::size_t separate_fans()
   {
     const std::vector<Index> sources = surface.separate_fans(static_cast<Index>(points.size()));
@@ -108,13 +108,13 @@ struct Repaired_triangles
   }
 };
 
-// Divides all but one of the edges between the same two vertices, those of patches first, after it has called f(side). Then the surface
-// is a simplicial complex.
+// Splits all but one of the edges that connect the same two vertices, those of patches first. Calls f(side) before each
+// split. Afterwards, the surface is a simplicial complex.
 template <class Function>
 void split_repeated_edges(Repaired_triangles& mesh, const Function& f)
 {
   using Index = Glued_triangles::Index;
-  using Edge = std::tuple<std::uint64_t, bool, Index>; // its ends, whether it is of a patch, and a side
+  using Edge = std::tuple<std::uint64_t, bool, Index>; // the end points, whether it belongs to a patch, and a side
   for(bool has_changed = true; has_changed;)
   {
     std::vector<Edge> edges;
@@ -147,8 +147,8 @@ public:
     : m_mesh(mesh)
   {}
 
-  // Closes a border, whose sides follow each other, by triangles between its vertices, or by gluing them if they are two. Returns the
-  // number of the patch, or none.
+  // Closes a border, given by consecutive sides, with triangles between its vertices. Two sides are glued instead.
+  // Returns the number of the patch, or none.
   Index close(const std::vector<Index>& border)
   {
     const std::size_t n = border.size();
@@ -157,7 +157,7 @@ public:
       m_mesh.surface.glue(border[0], border[1]);
       return Glued_triangles::none;
     }
-    // The patch sees its vertices in the other direction: its side k is glued to side n - 1 - k of the border.
+    // The patch has the opposite direction: its side k is glued to side n - 1 - k of the border.
     std::vector<Index> corners;
     for(std::size_t k = 0; k < n; ++k)
       corners.push_back(m_mesh.surface.target(border[n - 1 - k]));
@@ -169,14 +169,14 @@ public:
         path.push_back(m_mesh.points[v]);
       triangles = triangulate_path(path);
     }
-    else // a lone triangle, whose other side would be no surface
+    else // a single triangle: a patch without a new vertex would have the same corners
     {
       triangles = {{0, 1, n}, {1, 2, n}, {2, 0, n}};
       corners.push_back(m_mesh.add_vertex(0.5 * m_mesh.middle_of(border[0]) + 0.5 * m_mesh.middle_of(border[1])));
     }
     const Index patch = static_cast<Index>(m_first.size());
     m_first.push_back(m_mesh.surface.number_of_triangles());
-    std::vector<std::pair<std::uint64_t, Index>> inner; // the ends of a side between two triangles, and its number
+    std::vector<std::pair<std::uint64_t, Index>> inner; // end points and number of each side between two triangles
     for(const Path_triangle& t : triangles)
     {
       const Index first = m_mesh.surface.add({corners[t[0]], corners[t[1]], corners[t[2]]});
@@ -199,7 +199,7 @@ public:
     return patch;
   }
 
-  // Divides the triangles of a patch until their sides are about as long as those of its border.
+  // Splits the triangles of a patch until their sides are about as long as those of its border.
   void refine(Index patch)
   {
     constexpr int max_rounds = 200, flips_per_round = 3, smoothings = 8;
@@ -212,7 +212,7 @@ public:
         m_sizes[v] = 0.;
     for(const Index t : triangles)
       for(Index side = 3 * t; side < 3 * t + 3; ++side)
-        if(!is_inner(side)) // each vertex of the border has two such sides
+        if(!is_inner(side)) // each border vertex has two such sides
         {
           const double half = 0.5 * std::sqrt(m_mesh.squared_length_of(side));
           m_sizes[m_mesh.surface.source(side)] += half;
@@ -238,12 +238,13 @@ public:
 private:
   bool is_long(Index side) const
   {
-    constexpr double longest = 4. / 3.; // between that and half of it nothing is to be gained
+    constexpr double longest = 4. / 3.; // splitting shorter sides would not bring the lengths closer to the size
     const double size = 0.5 * (m_sizes[m_mesh.surface.source(side)] + m_sizes[m_mesh.surface.target(side)]);
     return m_mesh.squared_length_of(side) > longest * longest * size * size;
   }
 
-  // Whether no other inner side of its two triangles is longer. To divide such sides only makes none that are longer (Rivara 1984).
+  // Whether no other inner side of its two triangles is longer. Splitting only such sides creates no longer sides
+  // (Rivara 1984).
   template <class Function>
   bool is_longest(Index side, const Function& is_inner) const
   {
@@ -264,8 +265,8 @@ private:
     triangles.push_back(n - 1);
   }
 
-  // Flips sides whose opposite angles are larger than 180 degrees together, if that makes them shorter: so it comes to an end, and
-  // no side that has been divided is there again.
+  // Flips sides whose opposite angles have a sum above 180 degrees if this makes them shorter. Therefore it terminates,
+  // and no side that was split reappears.
   template <class Function>
   void make_delaunay(const std::vector<Index>& triangles, const Function& is_inner)
   {
@@ -284,13 +285,13 @@ private:
     const double sine = dot(a - c, b - c) * doubled_area(a, b, d) + dot(a - d, b - d) * doubled_area(a, b, c);
     if(!(sine < 0.) || !(squared_length(c - d) < squared_length(a - b)) || apex == other_apex)
       return false;
-    bool is_there = false; // the new side
+    bool is_there = false; // whether the new side exists
     surface.for_each_corner(Glued_triangles::previous(side),
                             [&](Index k) { is_there = is_there || surface.target(k) == other_apex; });
     return !is_there;
   }
 
-  // Moves the new vertices to the centres of their neighbours.
+  // Moves each new vertex to the centroid of its neighbors.
   void smooth(const std::vector<Index>& triangles, Index first_vertex)
   {
     const std::size_t n = m_mesh.points.size() - first_vertex;
@@ -308,8 +309,8 @@ private:
   }
 
   Repaired_triangles& m_mesh;
-  std::vector<Index> m_first, m_ends; // of the triangles of each patch, before it is refined
-  std::vector<double> m_sizes;        // of triangles at the vertices of patches
+  std::vector<Index> m_first, m_ends; // triangles of each patch, before refinement
+  std::vector<double> m_sizes;        // edge lengths at the vertices of patches
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

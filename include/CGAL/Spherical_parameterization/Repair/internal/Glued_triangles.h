@@ -25,12 +25,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Triangles, some of whose sides are glued together in pairs: any two of them, whatever vertices they have. So a surface is cut and
-// joined by its sides alone, and every state of it is a manifold: a side has one mate at most, and a vertex is what the corners make
-// up that glued sides join, a single fan of triangles.
+// Triangles with pairs of sides that are glued together. Any two sides can be glued, whatever their vertices are, so
+// that a surface can be cut and glued by changing sides only. Every state is a manifold: a side has at most one mate,
+// and the corners connected by glued sides form one vertex with a single fan of triangles.
 //
-// Corner i of triangle t has the number 3 t + i, and so has the side from that corner to the next one. Glued sides run against each
-// other.
+// Corner i of triangle t has the number 3 t + i, as has the side from this corner to the next one. Glued sides have
+// opposite directions.
 class Glued_triangles
 {
 public:
@@ -50,19 +50,19 @@ public:
     m_mates = std::move(mates);
   }
 
-  // A closed mesh, whose sides are all glued.
+  // A closed mesh, in which all sides are glued.
   Glued_triangles(const Index_triangles& triangles, const std::vector<Linked_triangle>& linked)
     : Glued_triangles(triangles)
   {
     for(Index t = 0; t < linked.size(); ++t)
       for(Index i = 0; i < 3; ++i)
       {
-        const Index other = linked[t].neighbors[(i + 2) % 3]; // across from corner i + 2
+        const Index other = linked[t].neighbors[(i + 2) % 3]; // opposite to corner i + 2
         m_mates[3 * t + i] = 3 * other + static_cast<Index>(linked[other].corner_of(target(3 * t + i)));
       }
   }
 
-  // Adds a triangle without mates, and returns its first side.
+  // Adds a triangle without mates. Returns its first side.
   Index add(const std::array<Index, 3>& triangle)
   {
     m_vertices.insert(m_vertices.end(), triangle.begin(), triangle.end());
@@ -78,7 +78,7 @@ public:
 
   Index source(Index side) const { return m_vertices[side]; }
   Index target(Index side) const { return m_vertices[next(side)]; }
-  Index apex(Index side) const { return m_vertices[previous(side)]; } // opposite to it
+  Index apex(Index side) const { return m_vertices[previous(side)]; } // opposite to the side
   Index mate(Index side) const { return m_mates[side]; }
   bool is_border(Index side) const { return m_mates[side] == none; }
   std::array<Index, 3> triangle(Index t) const
@@ -99,7 +99,7 @@ public:
     m_mates[side] = none;
   }
 
-  // The side of the border that begins where this one ends.
+  // The border side that begins at the end of this one.
   Index next_on_border(Index side) const
   {
     Index result = next(side);
@@ -108,7 +108,7 @@ public:
     return result;
   }
 
-  // Calls f(corner) for all corners of the vertex that this one is of, counterclockwise.
+  // Calls f(corner) for all corners at the vertex of this corner, counterclockwise.
   template <class Function>
   void for_each_corner(Index corner, const Function& f) const
   {
@@ -127,8 +127,8 @@ public:
     } while(k != none && k != first);
   }
 
-  // Gives each fan of triangles a vertex of its own: the first one of those that have the same keeps it, the others get new ones.
-  // Returns which vertex each of the new ones was.
+  // Gives each fan of triangles its own vertex: the first fan at a vertex keeps it, the others get new vertices.
+  // Returns the original vertex of each new one.
   std::vector<Index> separate_fans(Index n_vertices)
   {
     std::vector<char> is_visited(m_vertices.size(), 0), is_taken(n_vertices, 0);
@@ -151,7 +151,7 @@ public:
     return sources;
   }
 
-  // The component of each triangle, by the smallest of its triangles.
+  // The connected component of each triangle, given by the smallest index of its triangles.
   std::vector<Index> components() const
   {
     std::vector<Index> result(number_of_triangles(), none), stack;
@@ -176,7 +176,7 @@ public:
     return result;
   }
 
-  // Keeps the triangles for which keeps(t), in order. Those that go must have no mates among the others.
+  // Keeps the triangles t with keeps(t), in order. The others must not be glued to them.
   template <class Function>
   void keep(const Function& keeps)
   {
@@ -196,7 +196,7 @@ public:
     m_mates.resize(3 * n);
   }
 
-  // The side of the border that ends where this one begins.
+  // The border side that ends at the beginning of this one.
   Index previous_on_border(Index side) const
   {
     Index result = previous(side);
@@ -205,7 +205,7 @@ public:
     return result;
   }
 
-  // The sides of each border, in the order in which they follow each other.
+  // The sides of each border, in order along it.
   std::vector<std::vector<Index>> borders() const
   {
     std::vector<std::vector<Index>> result;
@@ -226,8 +226,9 @@ public:
     return result;
   }
 
-  // Divides a glued side by a vertex in its middle, and both of its triangles with it. The part of the side from its source keeps
-  // the number. Returns the first side of the two new triangles, one after the other: (vertex, target, apex), and across from it.
+  // Splits a glued side and both of its triangles by a vertex. The part that begins at the source of the side keeps its
+  // number. Adds the triangle (vertex, target, apex) and the triangle opposite to it, with consecutive numbers. Returns
+  // the first side of the former.
   Index split(Index side, Index vertex)
   {
     const Index other = m_mates[side], right = next(side), left_of_other = previous(other);
@@ -235,20 +236,20 @@ public:
     m_vertices[right] = vertex;
     m_vertices[other] = vertex;
     glue_if_any(first + 1, m_mates[right]);
-    glue_if_any(second + 2, m_mates[left_of_other]); // the new one, if the target has these two triangles only
+    glue_if_any(second + 2, m_mates[left_of_other]); // the new mate, if the target has only these two triangles
     glue(first + 2, right);
     glue(second + 1, left_of_other);
     glue(first, second);
     return first;
   }
 
-  // Replaces a glued side by that between the two apexes of its triangles.
+  // Replaces a glued side by the side between the apexes of its triangles.
   void flip(Index side)
   {
     const Index other = m_mates[side], a = source(side), b = target(side), c = apex(side), d = apex(other);
     const Index bc = m_mates[next(side)], ca = m_mates[previous(side)], ad = m_mates[next(other)],
                 db = m_mates[previous(other)];
-    // (a, b, c) and (b, a, d) turn into (d, c, a), whose first side is the new one, and (c, d, b).
+    // (a, b, c) and (b, a, d) become (d, c, a), whose first side is the new one, and (c, d, b).
     const auto set = [&](Index first, Index p, Index q, Index r) {
       m_vertices[first] = p;
       m_vertices[next(first)] = q;
@@ -270,8 +271,8 @@ private:
       m_mates[other] = side;
   }
 
-  std::vector<Index> m_vertices; // of the corners
-  std::vector<Index> m_mates;    // of the sides
+  std::vector<Index> m_vertices; // for each corner
+  std::vector<Index> m_mates;    // for each side
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -33,17 +33,19 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Closed paths on a closed connected surface along which it can be cut all at once without falling apart: each cut removes a handle.
+// Disjoint cycles on a closed connected surface along which it can be cut simultaneously without becoming disconnected.
+// Each cut removes a handle.
 //
-// A tree of shortest paths from a vertex, and a tree of the dual graph that crosses none of its edges, leave 2 g edges. Each of them
-// closes a cycle, and these generate the first homology (tree-cotree decomposition; Eppstein 2003); where the dual tree takes the edges of
-// long cycles first, they are the shortest such cycles through the vertex (Erickson and Whittlesey 2005). Any of them that have no vertex
-// in common are independent, so no union of them separates the surface.
+// A tree of shortest paths from a vertex, and a tree of the dual graph that crosses none of its edges, leave 2 g edges.
+// Each of these edges closes a cycle, and the cycles generate the first homology (tree-cotree decomposition; Eppstein
+// 2003). If the dual tree takes the edges of long cycles first, the cycles are the shortest such cycles through the
+// vertex (Erickson and Whittlesey 2005). Cycles of this basis without common vertices are independent, so no union of
+// them separates the surface.
 class Handle_cycles
 {
 public:
   using Index = Glued_triangles::Index;
-  using Cycle = std::vector<Index>; // sides, each of which begins where the one before ends
+  using Cycle = std::vector<Index>; // consecutive sides
 
   explicit Handle_cycles(const Repaired_triangles& mesh)
     : m_mesh(mesh)
@@ -55,7 +57,7 @@ public:
       m_corners[m_surface.source(corner)] = corner;
   }
 
-  // Half of what Euler's formula leaves: V - E + F = 2 - 2 g.
+  // From Euler's formula, V - E + F = 2 - 2 g.
   std::size_t genus() const
   {
     const auto n = static_cast<std::size_t>(
@@ -63,14 +65,15 @@ public:
     return (2 + m_surface.number_of_sides() / 2 - n - m_surface.number_of_triangles()) / 2;
   }
 
-  // Cycles along which the surface is to be cut next, at least one if it has a handle. They close with little area: where there are
-  // few left, the least one is tightened, by trees from its own vertices; of many, those are left for later that take much more area
-  // than the others, as the next tree may have better ones.
+  // Finds the next cycles to cut, at least one if the surface has a handle. Cycles whose filling has a small area are
+  // preferred. If there are few cycles, only the best one is returned, improved by trees from its own vertices. If
+  // there are many, those with a much larger area than the others are postponed, since the next tree may give better
+  // ones.
   std::vector<Cycle> find() const
   {
     constexpr std::size_t few = 4;
     constexpr int max_tightenings = 3;
-    constexpr double large = 4.; // over the median
+    constexpr double large = 4.; // relative to the median
     std::vector<Costly_cycle> cycles = disjoint_cycles(m_surface.source(0));
     if(cycles.size() > few)
     {
@@ -103,22 +106,22 @@ public:
   }
 
 private:
-  using Costly_cycle = std::pair<double, Cycle>; // the area that one side of it takes to be closed
+  using Costly_cycle = std::pair<double, Cycle>; // the area of a fill of one side, and the cycle
 
   struct Tree
   {
     std::vector<double> distances;
-    std::vector<Index> arrivals; // the side that a vertex is reached by
+    std::vector<Index> arrivals; // the side of the tree that ends at a vertex
   };
 
-  // No cycle leads across a patch, whose triangles are no part of the surface.
+  // Triangles of patches are not part of the input surface, so no cycle may cross a patch.
   double length_of(Index side) const
   {
     return m_mesh.is_of_patch(side) ? (std::numeric_limits<double>::infinity)()
                                     : std::sqrt(m_mesh.squared_length_of(side));
   }
 
-  // of triangles from the centre of the cycle
+  // area of the triangles between the cycle and its centroid
   double area_across(const Cycle& cycle) const
   {
     Vector_3d center = {0., 0., 0.};
@@ -130,7 +133,7 @@ private:
     return result;
   }
 
-  // Cycles without a vertex in common, those first that close with least area, all of them by a tree from a root.
+  // Cycles without common vertices, from a tree with this root, chosen in ascending order of area.
   std::vector<Costly_cycle> disjoint_cycles(Index root) const
   {
     std::vector<Costly_cycle> cycles;
@@ -153,7 +156,7 @@ private:
     return result;
   }
 
-  // Dijkstra's
+  // Dijkstra's algorithm
   Tree shortest_paths(Index root) const
   {
     Tree tree = {std::vector<double>(m_points.size(), (std::numeric_limits<double>::infinity)()),
@@ -189,7 +192,7 @@ private:
     for(const Index side : tree.arrivals)
       if(side != Glued_triangles::none)
         is_in_tree[side] = is_in_tree[m_surface.mate(side)] = 1;
-    std::vector<std::pair<double, Index>> others; // length of the cycle through the root, side
+    std::vector<std::pair<double, Index>> others; // length of the cycle through the root, and side
     for(Index side = 0; side < m_surface.number_of_sides(); ++side)
       if(side < m_surface.mate(side) && !is_in_tree[side])
         others.emplace_back(
@@ -213,7 +216,7 @@ private:
     return result;
   }
 
-  // The cycle that an edge closes, without the way to the root that both of its parts have in common.
+  // The cycle that an edge closes, without the path to the root that is common to both of its parts.
   Cycle cycle_with(Index side, const std::vector<Index>& arrivals) const
   {
     const auto way_to_root = [&](Index v) {
@@ -238,11 +241,11 @@ private:
   const Repaired_triangles& m_mesh;
   const Glued_triangles& m_surface;
   const std::vector<Vector_3d>& m_points;
-  std::vector<Index> m_corners; // of the vertices, one each
+  std::vector<Index> m_corners; // one corner of each vertex
 };
 
-// Cuts at most so many handles of a closed connected surface. Calls on_cut(cycle, length) for each cut before, and close(border) for
-// both of its sides afterwards.
+// Cuts at most `max_handles` handles of a closed connected surface. Calls on_cut(cycle, length) before each cut, and
+// close(border) for both of its sides afterwards.
 template <class On_cut, class Close>
 void cut_handles(Repaired_triangles& mesh, std::size_t max_handles, const On_cut& on_cut, const Close& close)
 {

@@ -32,8 +32,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Makes an oriented surface of any polygons, by gluing the sides of triangles: those of the two faces of an edge; where an edge has
-// more, those of faces that are joined around one of its ends already, and then those of the largest parts.
+// Builds an oriented surface from any polygons by gluing the sides of triangles. An edge with two faces glues these.
+// For an edge with more faces, faces that are connected around one of its ends are glued first, followed by those of
+// the largest components.
 class Soup_gluer
 {
 public:
@@ -59,10 +60,10 @@ public:
   }
 
   Glued_triangles surface;
-  std::vector<Index> faces; // which polygon each triangle is a part of
+  std::vector<Index> faces; // for each triangle, its polygon
 
 private:
-  // A side by its ends, the smaller one first, and its number.
+  // A side: its end points, the smaller one first, and its number.
   using Side = std::pair<std::uint64_t, Index>;
 
   Index corner_of(std::size_t polygon, std::size_t k) const
@@ -70,7 +71,7 @@ private:
     return m_merged[m_polygons.corners[m_polygons.first[polygon] + k]];
   }
 
-  // Divides polygons into triangles, without degenerate ones and those that are there already.
+  // Triangulates the polygons, and omits degenerate and duplicate triangles.
   void make_triangles()
   {
     m_triangles.clear();
@@ -166,7 +167,8 @@ private:
     }
   }
 
-  // Takes vertices on borders for one if they are at the same point: elsewhere, two such are no defect. Returns whether there are any.
+  // Merges border vertices at the same point; elsewhere, coincident vertices are no defect. Returns whether there are
+  // any.
   bool merge_vertices_on_borders(const std::vector<Side>& sides)
   {
     std::vector<Index> vertices;
@@ -187,8 +189,9 @@ private:
     return m_report.merged_vertices.number > 0;
   }
 
-  // Reverses triangles such that those with an edge of two faces in common are oriented alike, as most of the area of each part
-  // is, or outwards where no more than two thirds of it agree. Returns the mates of the sides.
+  // Reverses triangles so that triangles that share an edge of two faces have consistent orientations. Each component
+  // keeps the orientation of most of its area, or is oriented outwards if this is less than two thirds. Returns the
+  // mates of the sides.
   std::vector<Index> orient(std::vector<Side>& sides)
   {
     const std::size_t n = m_triangles.size();
@@ -233,7 +236,7 @@ private:
             state[mate / 3] = expected;
             stack.push_back(mate / 3);
           }
-          else if(state[mate / 3] != expected) // a part with one side, as a Möbius strip
+          else if(state[mate / 3] != expected) // a one-sided component, such as a Möbius strip
             mates[side] = mates[mate] = none;
         }
       }
@@ -260,7 +263,7 @@ private:
     return result;
   }
 
-  // Six times the volume between triangles and their middle, some of which count as reversed.
+  // Six times the volume between the triangles and their centroid, if some of them are reversed.
   template <class Function>
   double volume_of(const std::vector<Index>& part, const Function& is_reversed) const
   {
@@ -302,7 +305,7 @@ private:
     glue_largest(crowded);
   }
 
-  // Glues sides that follow each other on a border and lead there and back.
+  // Glues consecutive border sides with opposite end points, repeatedly.
   void zip(std::vector<Index> sides)
   {
     while(!sides.empty())
@@ -321,7 +324,7 @@ private:
     }
   }
 
-  // Glues what is left of edges with more than two faces, the sides of large parts first.
+  // Glues the remaining sides of edges with more than two faces, those of large components first.
   void glue_largest(const std::vector<Index>& crowded)
   {
     const std::vector<Index> part = surface.components();
@@ -347,7 +350,7 @@ private:
   const std::vector<Vector_3d>& m_points;
   const Polygon_corners& m_polygons;
   Repair_report& m_report;
-  std::vector<Index> m_merged; // of the vertices: which one each is taken for
+  std::vector<Index> m_merged; // for each vertex, the vertex it is merged into
   Index_triangles m_triangles;
 };
 

@@ -25,15 +25,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-CGAL_SPHERICAL_PARAMETERIZATION_INLINE std::vector<Handle_path> find_handle_paths(const Index_triangles& triangles,
-                                                                                  std::vector<Vector_3d> points,
-                                                                                  std::size_t max_handles)
+CGAL_SPHERICAL_PARAMETERIZATION_INLINE std::vector<Handle_cycle> find_handle_cycles(const Index_triangles& triangles,
+                                                                                    std::vector<Vector_3d> points,
+                                                                                    std::size_t max_handles)
 {
   const int exponent = normalize(points);
   const std::vector<Linked_triangle> linked = link_triangles(triangles, points.size());
   Repaired_triangles mesh(Glued_triangles(triangles, linked), std::move(points));
   Border_closer closer(mesh);
-  std::vector<Handle_path> result;
+  std::vector<Handle_cycle> result;
   cut_handles(
       mesh, max_handles,
       [&](const Handle_cycles::Cycle& cycle, double length) {

@@ -36,7 +36,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The steps of repair_surface(), one after the other.
+// The steps of repair_surface(), in order.
 class Surface_repair
 {
 public:
@@ -84,7 +84,7 @@ public:
     return OK;
   }
 
-  // The surface without vertices that have no face, unless it needed nothing.
+  // Writes the surface, without isolated vertices unless it needed no repair.
   Error_code write(Repaired_arrays& result)
   {
     const std::size_t n = m_mesh.points.size();
@@ -172,7 +172,7 @@ private:
     m_relative_lengths.push_back(m_unit > 0. ? length / m_unit : 0.);
   }
 
-  // some vertex of a border that the input has, if any
+  // a border vertex that comes from the input, if any
   std::size_t vertex_of_input(const std::vector<Index>& border) const
   {
     for(const Index side : border)
@@ -235,10 +235,10 @@ private:
   Repair_report& m_report;
   Repaired_triangles m_mesh;
   Border_closer m_closer;
-  Vector_3d m_origin; // of the unit in which the repair computes, and the power of two that it is
+  Vector_3d m_origin; // the origin of the coordinates of the repair, and its scale as a power of two
   int m_exponent;
   double m_unit = 0.;                     // the square root of the area without patches
-  std::vector<double> m_relative_lengths; // of the patches
+  std::vector<double> m_relative_lengths; // for each patch
 };
 
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code repair_arrays(std::vector<Vector_3d> points,
@@ -259,7 +259,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code repair_arrays(std::vector<Vect
     }
   for(Vector_3d& p : points)
     if(!is_finite(p))
-      p = {0., 0., 0.}; // of no face
+      p = {0., 0., 0.}; // an isolated vertex
   Surface_repair repair(std::move(points), polygons, limits, report);
   if(const Error_code error = repair.run())
     return error;

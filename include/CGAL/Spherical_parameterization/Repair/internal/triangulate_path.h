@@ -35,7 +35,7 @@ namespace CGAL::Spherical_parameterization::internal {
 
 using Path_triangle = std::array<std::size_t, 3>; // positions in a closed path, in increasing order
 
-// Triangulates a closed path corner by corner, those first whose neighbors are nearest to each other.
+// Triangulates a closed path by cutting off corners, first those whose neighbors are closest to each other.
 inline std::vector<Path_triangle> cut_corners(const std::vector<Vector_3d>& path)
 {
   const std::size_t n = path.size();
@@ -71,10 +71,11 @@ inline std::vector<Path_triangle> cut_corners(const std::vector<Vector_3d>& path
   return result;
 }
 
-// Triangulates a closed path of at least three points: with least area and bending, if it is short, or else corner by corner.
+// Triangulates a closed path of at least three points: with minimal area and bending if it is short, otherwise by
+// cutting off corners.
 inline std::vector<Path_triangle> triangulate_path(const std::vector<Vector_3d>& path)
 {
-  constexpr std::size_t max_size_for_search = 100; // which takes time that grows with the third power
+  constexpr std::size_t max_size_for_search = 100; // which takes cubic time
   std::vector<Path_triangle> result;
   if(path.size() > 3 && path.size() <= max_size_for_search)
   {

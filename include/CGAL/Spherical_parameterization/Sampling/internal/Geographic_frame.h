@@ -33,9 +33,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Longitude and latitude about a north pole and a zero meridian. The plane of both consists of the zero meridian, the seam
-// on the other side of the sphere, and the poles; on which side of it a point is, and where an edge meets it, are decided
-// exactly, for the points and the two directions as they are given. `K` is a kernel of Exact_predicates_kernel.
+// Longitude and latitude with respect to a north pole and a zero meridian. The plane of both consists of the zero meridian, the
+// seam on the opposite side of the sphere, and the poles. The side of the plane on which a point lies, and the points where edges
+// meet the plane, are determined exactly for the given points and directions. `K` is a kernel of Exact_predicates_kernel.
 template <class K>
 class Geographic_frame
 {
@@ -45,7 +45,7 @@ class Geographic_frame
 public:
   using Point_3 = typename K::Point_3;
 
-  // East and west of the zero meridian are what is so by less than half a turn.
+  // East and west of the zero meridian, by less than a half-turn.
   enum class Triangle_location
   {
     east,
@@ -61,23 +61,23 @@ public:
     return place == Triangle_location::north_pole || place == Triangle_location::south_pole;
   }
 
-  // Where a point is about the origin.
+  // The position of a point with respect to the frame.
   struct Site
   {
     Triangle_location place = Triangle_location::seam;
-    double u = 0., v = 0.; // longitude and latitude from 0 to 1; u does not count at the seam and at the poles
-    Vector_3d direction = {0., 0., 0.}; // of length 1; its coordinates are towards the zero meridian, east and north
+    double u = 0., v = 0.; // longitude and latitude from 0 to 1; u is not used at the seam and at the poles
+    Vector_3d direction = {0., 0., 0.}; // of length 1; in the axes towards the zero meridian, east and north
     double distance = 0.;               // from the origin
   };
 
-  // A place on an edge.
+  // A point on an edge.
   struct Crossing
   {
-    double share; // of the edge's length on the surface, from its first end
+    double share; // the fraction of the length of the edge on the surface, from its first end
     Site site;
   };
 
-  // `zero_meridian` is any direction in its half plane.
+  // `zero_meridian` is any direction in the half plane of the zero meridian.
   Geographic_frame(const Point_3& north, const Point_3& zero_meridian)
     : m_north(north)
     , m_zero(zero_meridian)
@@ -95,7 +95,7 @@ public:
     m_is_valid = m_orientation(m_north, m_zero, m_east) == POSITIVE;
   }
 
-  // Whether both directions are finite, not zero, and not parallel, not even up to rounding.
+  // Whether both directions are finite and not zero, and are not parallel up to rounding error.
   bool is_valid() const { return m_is_valid; }
 
   const Point_3& north_pole() const { return m_north; }
@@ -107,7 +107,7 @@ public:
 
   Site site(const Point_3& p) const { return site(place(p), coordinates(p)); }
 
-  // The middle of the arc between two places, if that does not cross the seam.
+  // The midpoint of the arc between two points, if the arc does not cross the seam.
   static Crossing middle(const Site& a, const Site& b)
   {
     const Vector_3d d = a.direction + b.direction;
@@ -121,13 +121,13 @@ public:
                                         : (d[1] < 0. ? Triangle_location::west : Triangle_location::east);
     Crossing result = {share, site(place, normalized(d), share * b.distance * length(d))};
     const Vector_3d& e = result.site.direction;
-    constexpr double min_distance = 1e-9; // from a pole; below it, rounding decides about the longitude
+    constexpr double min_distance = 1e-9; // from a pole; closer to it, rounding errors determine the longitude
     if(has_longitude(a.place) && has_longitude(b.place) && hypotenuse(e[0], e[1]) < min_distance)
       result.site.u = 0.5 * (a.u + b.u);
     return result;
   }
 
-  // Where the edge from a to b meets the seam or a pole between its ends, if it does.
+  // The point between the ends of the edge from a to b where it meets the seam or a pole, if any.
   std::optional<Crossing> crossing(const Point_3& a, Triangle_location at_a, const Point_3& b,
                                    Triangle_location at_b) const
   {
@@ -141,10 +141,10 @@ public:
     }
     if(at_a == Triangle_location::east && at_b == Triangle_location::west)
     {
-      // It meets the plane in the direction |det(n, m, b)| a + |det(n, m, a)| b.
+      // The edge meets the plane in the direction |det(n, m, b)| a + |det(n, m, a)| b.
       const Sign side = m_orientation(a, b, m_north);
       if(side == NEGATIVE)
-        return std::nullopt; // at the zero meridian
+        return std::nullopt; // the crossing is at the zero meridian
       const Triangle_location place = side == POSITIVE                          ? Triangle_location::seam
                                       : m_orientation(a, b, m_zero) == POSITIVE ? Triangle_location::north_pole
                                                                                 : Triangle_location::south_pole;
@@ -179,7 +179,7 @@ private:
     return (std::max)({CGAL::abs(p[0]), CGAL::abs(p[1]), CGAL::abs(p[2])});
   }
 
-  // the same direction with 1 as the largest coordinate
+  // The same direction with largest absolute coordinate 1.
   template <class Number>
   static Vector_3d scaled(const Vector_3<Number>& p)
   {
@@ -213,7 +213,7 @@ private:
                 nearest_double(size(p)) * length(q));
   }
 
-  // Rounding must not take a point to the other side of the plane, nor must the sign of a zero.
+  // Clamps, so that neither rounding nor the sign of a zero moves a point to the other side of the plane.
   static Site site(Triangle_location place, const Vector_3d& direction, double distance)
   {
     const double x = direction[0], y = direction[1], z = direction[2];
@@ -226,7 +226,7 @@ private:
     return {place, 0.5 + longitude / (2. * CGAL_PI), 0.5 + latitude / CGAL_PI, direction, distance};
   }
 
-  // The crossing of an edge with the plane of this normal, on different sides of which the ends are.
+  // The crossing of an edge with the plane with this normal. The ends lie on different sides of the plane.
   Crossing crossing(const Point_3& a, const Point_3& b, const Vector_3<Exact_FT>& normal, Triangle_location place) const
   {
     const Vector_3<Exact_FT> p = exact(a), q = exact(b);

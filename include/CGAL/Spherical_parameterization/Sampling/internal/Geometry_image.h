@@ -38,17 +38,17 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Which vertex of a domain each pixel of a geometry image shows: of an octahedron that is unfolded to a square, or of
+// The vertex of a domain that each pixel of a geometry image represents: for an octahedron that is unfolded to a square, or for
 // the faces of a cube, one below the other.
 struct Geometry_image_layout
 {
   std::size_t width, height;
-  std::vector<std::uint32_t> vertices; // that the pixels show, row by row
+  std::vector<std::uint32_t> vertices; // of the pixels, row by row
   std::size_t number_of_vertices;      // of the domain
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
-  // The upper half of the octahedron is in the middle of the square; each of the four lower faces is folded out at the
-  // edge that it has there, so that what is on its other edges is in two places, or in four.
+  // The upper half of the octahedron is at the center of the square. Each of the four lower faces is unfolded along the edge that
+  // it shares with the upper half, so vertices on its other edges are represented by two or four pixels.
   static Geometry_image_layout of_octahedron(std::uint32_t n)
   {
     Subdivided_solid<3> solid = subdivided_octahedron(n);
@@ -81,7 +81,7 @@ struct Geometry_image_layout
     return {width, 6 * width, std::move(solid.rows), solid.directions.size(), std::move(solid.triangles)};
   }
 
-  // the layout for the mesh over an octahedron or a cube that has this number of vertices, if one has
+  // The layout for the mesh over an octahedron or a cube with this number of vertices, if any.
   static std::optional<Geometry_image_layout> of_vertices(std::size_t n_vertices)
   {
     for(const std::size_t factor : {4u, 6u})
@@ -94,7 +94,7 @@ struct Geometry_image_layout
     return std::nullopt;
   }
 
-  // whether images have this size
+  // Whether geometry images have this size.
   static bool is_size(std::size_t width, std::size_t height)
   {
     return height == width ? width >= 3 && width % 2 == 1 && width / 2 <= Sphere_domain_3::max_subdivision
@@ -110,14 +110,14 @@ struct Geometry_image_layout
   }
 };
 
-// The values of the pixels of an image, row by row, each with one component or with three.
+// The values of the pixels of an image, row by row, with one or three components each.
 struct Geometry_image
 {
   std::size_t width = 0, height = 0, number_of_components = 3;
   std::vector<double> values;
 };
 
-// Makes the image of a property of the vertices of a mesh.
+// Computes the image of a property of the vertices of a mesh.
 template <class TriangleMesh, class VertexMap>
 Error_code make_geometry_image(const TriangleMesh& tmesh, const VertexMap& map, Geometry_image& image)
 {
@@ -143,7 +143,7 @@ Error_code make_geometry_image(const TriangleMesh& tmesh, const VertexMap& map, 
   return OK;
 }
 
-// Adds the mesh whose points an image shows.
+// Adds the mesh whose points an image represents.
 template <class TriangleMesh>
 Error_code add_mesh_of_geometry_image(const Geometry_image& image, TriangleMesh& tmesh)
 {

@@ -58,7 +58,7 @@ constexpr std::size_t cartesian_dimension<CGAL::Point_3<K>> = 3;
 template <class K>
 constexpr std::size_t cartesian_dimension<CGAL::Vector_3<K>> = 3;
 
-// Whether values of a type have a mean. Others are labels.
+// Whether values of a type have a mean. Values of other types are labels.
 template <class T>
 constexpr bool has_mean =
     std::is_floating_point<T>::value || std::is_same<T, CGAL::IO::Color>::value || cartesian_dimension<T> != 0;
@@ -67,7 +67,7 @@ constexpr bool has_mean<std::array<T, n>> = has_mean<T>;
 template <class T>
 constexpr bool has_mean<std::vector<T>> = has_mean<T>;
 
-// The mean of what value(source) points to for some terms; a null pointer stands for zeros.
+// The mean of the values that value(source) points to, over some terms; a null pointer represents zeros.
 template <class T, class Value>
 T mean_value(const Weighted_source* begin, const Weighted_source* end, const Value& value)
 {
@@ -100,7 +100,7 @@ T mean_value(const Weighted_source* begin, const Weighted_source* end, const Val
     else
       return T(coordinate(0), coordinate(1), coordinate(2));
   }
-  else // an array, or a vector, which becomes as long as the longest one
+  else // an array, or a vector, which gets the length of the longest one
   {
     using Component = typename T::value_type;
     T result{};
@@ -117,8 +117,8 @@ T mean_value(const Weighted_source* begin, const Weighted_source* end, const Val
   }
 }
 
-// Of terms whose sources have labels, one with the label that has the largest sum of weights, the first one if several have.
-// Not a template, as to sort takes long to compile.
+// A term whose source has the label with the largest sum of weights; the first one in case of ties. Not a template, because
+// sorting takes long to compile.
 inline const Weighted_source* term_of_largest_label(
     const Weighted_source* begin, const Weighted_source* end,
     const std::function<bool(const Weighted_source*, const Weighted_source*)>& is_less)
@@ -138,8 +138,8 @@ inline const Weighted_source* term_of_largest_label(
   return best.second;
 }
 
-// The mean of the values of some terms; of labels, the one with the largest sum of weights. What has no term gets zero, or what
-// else the type begins with.
+// The mean of the values of some terms; for labels, the label with the largest sum of weights. Without terms, the
+// value-initialized T.
 template <class T>
 T weighted_value(const Weighted_source* begin, const Weighted_source* end, const T* values)
 {
@@ -155,13 +155,13 @@ T weighted_value(const Weighted_source* begin, const Weighted_source* end, const
                   })->source];
 }
 
-// From which elements of a source, and with which weights, each element of a target has its value.
+// The sources, with weights, from which the value of each target element is computed.
 class Interpolation_weights
 {
 public:
-  Interpolation_weights() = default; // of no element
+  Interpolation_weights() = default; // no elements
 
-  // for_each_term(add) calls add(target, term) for the terms of `n` elements, the same ones each time.
+  // for_each_term(add) calls add(target, term) for the terms of `n` target elements; each call must yield the same terms.
   template <class For_each_term>
   Interpolation_weights(std::size_t n, const For_each_term& for_each_term)
     : m_ends(n, 0)
@@ -171,7 +171,7 @@ public:
     for(std::size_t& end : m_ends)
     {
       const std::size_t count = end;
-      end = n_terms; // which adding moves on
+      end = n_terms; // incremented when terms are added
       n_terms += count;
     }
     m_terms.resize(n_terms);
@@ -186,13 +186,13 @@ public:
     return {m_terms.data() + (i == 0 ? 0 : m_ends[i - 1]), m_terms.data() + m_ends[i]};
   }
 
-  // Reads the values of the `n` elements of the source with value_of(i), and writes those of all elements of the target
-  // with write(i, value), one after the other. In between, values that share nothing are mixed in parallel.
+  // Reads the values of the `n` source elements with value_of(i), and writes the values of all target elements with
+  // write(i, value), sequentially. In between, values of trivially copyable types are mixed in parallel.
   template <class T, class Values, class Write>
   void mix(std::size_t n, const Values& value_of, const Write& write, const Execution& execution) const
   {
     constexpr std::size_t block_size = 4096;
-    const std::unique_ptr<T[]> values(new T[n]), result(new T[m_ends.size()]); // no vector: that of bool holds bits
+    const std::unique_ptr<T[]> values(new T[n]), result(new T[m_ends.size()]); // std::vector<bool> stores bits
     for(std::size_t i = 0; i < n; ++i)
       values[i] = value_of(i);
     for_each_in_blocks(
@@ -207,7 +207,7 @@ private:
   std::vector<Weighted_source> m_terms;
 };
 
-// The weights of n elements of which those of the sources are given: what each source hands out.
+// The weights of n elements that are given by source: the transpose of what each source distributes.
 inline Interpolation_weights reversed(const Interpolation_weights& weights, std::size_t n)
 {
   return Interpolation_weights(n, [&](const auto& add) {
@@ -217,7 +217,7 @@ inline Interpolation_weights reversed(const Interpolation_weights& weights, std:
   });
 }
 
-// Whether all sources of a mixture are among those of another one, which has three at most.
+// Whether all sources of `terms` are among those of `others`, which are at most three.
 inline bool are_sources_among(const Interpolation_weights::Terms& terms, const Interpolation_weights::Terms& others)
 {
   return std::all_of(terms.begin(), terms.end(), [&](const Weighted_source& term) {
@@ -226,7 +226,7 @@ inline bool are_sources_among(const Interpolation_weights::Terms& terms, const I
   });
 }
 
-// Areas over the largest one. None is 0, as what has no area would get nothing, and give nothing.
+// Areas divided by the largest one, with a positive lower bound, because a vertex of area 0 would receive and contribute nothing.
 inline std::vector<double> relative_areas(std::vector<double> areas)
 {
   constexpr double min_area = 0x1p-100;
@@ -236,16 +236,17 @@ inline std::vector<double> relative_areas(std::vector<double> areas)
   return areas;
 }
 
-// The adaptive barycentric weights of `n` vertices: what `interpolated` says, unless a source that it leaves out lies
-// around the vertex by `handed_out`, the barycentric coordinates of the sources in the triangles of the target; then it is all
-// that do. Weights are scaled so that each source gives away its area in all, to each target in proportion to its area.
+// The adaptive barycentric weights of `n` vertices: those of `interpolated`, unless `distributed`, the barycentric coordinates of
+// the sources in the triangles of the target, assigns the vertex a source that is not interpolated there. Then all sources that
+// `distributed` assigns to it are used. Weights are scaled so that each source distributes its area in total, to each target in
+// proportion to its area.
 inline Interpolation_weights adaptive_weights(const Interpolation_weights& interpolated,
-                                              const Interpolation_weights& handed_out,
+                                              const Interpolation_weights& distributed,
                                               const std::vector<double>& source_areas,
                                               const std::vector<double>& target_areas)
 {
   const std::size_t n = interpolated.size();
-  const Interpolation_weights gathered = reversed(handed_out, n);
+  const Interpolation_weights gathered = reversed(distributed, n);
   const auto for_each_term = [&](const auto& f) {
     for(std::size_t v = 0; v < n; ++v)
     {
@@ -263,8 +264,8 @@ inline Interpolation_weights adaptive_weights(const Interpolation_weights& inter
   });
 }
 
-// Interpolation_weights of the sources that a mask has, or of all if it is empty; of the one with the largest weight, if only that is
-// wanted, which is the first one if several have it.
+// The weights restricted to the sources in a mask; to all sources if the mask is empty. If `is_only_largest` is set, only the
+// source with the largest weight is kept, with weight 1; the first one in case of ties.
 inline Interpolation_weights selected(const Interpolation_weights& weights, const std::vector<bool>& mask,
                                       bool is_only_largest)
 {

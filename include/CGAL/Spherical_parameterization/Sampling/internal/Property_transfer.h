@@ -43,8 +43,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How values are carried from the vertices and the faces of one mesh to those of another one by a common sphere; the rules
-// are those that transfer() tells. `K` is a kernel with exact predicates.
+// The weights for the transfer of values from the vertices and faces of one mesh to those of another one through a common sphere,
+// by the rules of transfer(). `K` is a kernel with exact predicates.
 template <class K>
 class Transfer_weights
 {
@@ -53,8 +53,8 @@ public:
   using Triangulation = Sphere_triangulation<K>;
   using Triangle_location = typename Triangulation::Triangle_location;
 
-  // The arguments have to live longer, but for the points. The source has a grid. `source_points` are those of the surface,
-  // for areas; `places` are those of the target's vertices in the source.
+  // All arguments except `source_points` must outlive this object. The source must have a grid. `source_points` are the points of
+  // the surface, used for areas; `places` are the locations of the target vertices in the source.
   Transfer_weights(const Triangulation& source, std::vector<Vector_3d> source_points, const Triangulation& target,
                    const std::vector<Triangle_location>& places, const Execution& execution)
     : m_source(source)
@@ -81,7 +81,7 @@ public:
           if(const double weight = areas[s] * CGAL::to_double(m_source_places[s].coordinates[i]); weight > 0.)
             f(m_target.triangles()[m_source_places[s].triangle][i], s, weight);
     };
-    std::vector<double> sums(n, 0.); // of the weights for averages; 0 for what is interpolated
+    std::vector<double> sums(n, 0.); // of the weights for averages; 0 for interpolated vertices
     for_each_in_stars([&](std::uint32_t v, std::uint32_t, double weight) { sums[v] += weight; });
     for(std::size_t v = 0; v < n; ++v)
       if(sums[v] > 0. && !has_average(v))
@@ -104,7 +104,7 @@ public:
     const std::vector<Triangle_location> places = m_source.locate(centers_of(m_target), m_execution);
     const std::vector<Point_3> source_centers = centers_of(m_source);
     std::vector<std::uint32_t> source_places;
-    std::vector<double> sums(n, 0.); // of the areas for averages; 0 for what gets the value of one face
+    std::vector<double> sums(n, 0.); // of the areas for averages; 0 for faces that receive the value of one face
     for(std::size_t s = 0; s < source_centers.size(); ++s)
     {
       const std::uint32_t start = m_source_places[m_source.triangles()[s][0]].triangle;
@@ -127,7 +127,7 @@ public:
   const Execution& execution() const { return m_execution; }
 
 private:
-  // whether all vertices of the source that would be interpolated are inside the star of a vertex of the target
+  // Whether all source vertices that would be interpolated are inside the star of a target vertex.
   bool has_average(std::size_t v) const
   {
     for(std::size_t i = 0; i < 3; ++i)
@@ -159,11 +159,11 @@ private:
   const Triangulation& m_target;
   const std::vector<Triangle_location>& m_places;
   Execution m_execution;
-  std::vector<Triangle_location> m_source_places; // of its vertices, in the target
-  std::vector<double> m_source_areas;             // doubled, of the faces
+  std::vector<Triangle_location> m_source_places; // the locations of the source vertices in the target
+  std::vector<double> m_source_areas;             // twice the areas of the source faces
 };
 
-// Carries property maps from a mesh to another one. Elements are in the order of the meshes' arrays.
+// Transfers property maps from one mesh to another one. Elements are in the order of the arrays of the meshes.
 template <class SourceMesh, class TargetMesh, class K>
 struct Property_transfer
 {
@@ -175,7 +175,7 @@ struct Property_transfer
   const std::vector<typename Target::vertex_descriptor>& target_vertices;
   const std::vector<typename Target::face_descriptor>& target_faces;
   const Transfer_weights<K>& weights;
-  std::optional<Interpolation_weights> of_vertices = {}, of_faces = {}; // made when they are needed
+  std::optional<Interpolation_weights> of_vertices = {}, of_faces = {}; // computed on demand
 
   template <class SourceMap, class TargetMap>
   void carry(const SourceMap& source_map, const TargetMap& target_map)
@@ -207,7 +207,7 @@ struct Property_transfer
   }
 };
 
-// what Surface_mesh::property_map() returns, which is a pair up to CGAL 5
+// The result of Surface_mesh::property_map(), which is a pair up to CGAL 5.
 template <class Map>
 std::optional<Map> as_optional(const std::pair<Map, bool>& found)
 {
@@ -233,7 +233,7 @@ constexpr bool are_surface_meshes = false;
 template <class SourcePoint, class TargetPoint>
 constexpr bool are_surface_meshes<Surface_mesh<SourcePoint>, Surface_mesh<TargetPoint>> = true;
 
-// Carries all properties of vertices and faces that have a type of this list.
+// Transfers all properties of vertices and faces with a type of this list.
 template <class Carrier, class SourcePoint, class SourceSphereMap, class TargetPoint, class TargetSphereMap>
 void transfer_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& source,
                              const SourceSphereMap& source_sphere, Surface_mesh<TargetPoint>& target,
@@ -255,13 +255,13 @@ void transfer_all_properties(Carrier& carrier, const Surface_mesh<SourcePoint>& 
     if(!are_the_same(target_map, target_sphere))
       carrier.carry(*source_map, target_map);
   };
-  const auto carry_all_of = [&](auto index) {
+  const auto transfer_all_of = [&](auto index) {
     for(const std::string& name : source.template properties<decltype(index)>())
       if(name != "v:point" && name != "v:removed" && name != "f:removed")
         std::apply([&](const auto&... values) { (carry(index, name, values), ...); }, Types());
   };
-  carry_all_of(typename Source::Vertex_index());
-  carry_all_of(typename Source::Face_index());
+  transfer_all_of(typename Source::Vertex_index());
+  transfer_all_of(typename Source::Face_index());
 }
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -34,18 +34,18 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Cuts the triangles of a mesh until no edge crosses the seam, the poles are vertices, and no texture triangle is turned over.
+// Splits the triangles of a mesh until no edge crosses the seam, the poles are vertices, and no texture triangle is inverted.
 //
-// First, new vertices divide the edges that cross the seam or pass through a pole, and the face that has a pole inside. A
-// face then has a pole, from which it is cut to all of its other vertices; or it has two vertices at the seam that are no
-// neighbours, as the seam enters and leaves it, and is cut from one to the other; or it has been a triangle all the time.
-// Decisions are exact, so there is no other case. In the end, if a triangle has a vertex at the seam, those that are neither
-// there nor at a pole are all on the same side of it.
+// In the first step, new vertices split the edges that cross the seam or pass through a pole, and the face with a pole in its
+// interior. A face then has one of three forms. Either it has a pole, and is cut from the pole to all of its other vertices. Or it
+// has two non-adjacent vertices on the seam, where the seam enters and leaves it, and is cut from one to the other. Or it is an
+// unchanged triangle. Decisions are exact, so there are no other cases. In the result, if a triangle has a vertex on the seam, its
+// vertices that are neither on the seam nor at a pole lie on the same side of the seam.
 //
-// Second, edges are arcs of great circles, which are curved in the image. If a triangle is narrower than the arc along it is
-// bent, its texture triangle is turned over. Its longest edge is cut in the middle, which divides that bend by four. So that
-// triangles do not become narrow by that, only edges that are the longest ones of both of their triangles are cut: the
-// longest edge of the neighbour comes first (Rivara's longest-edge propagation).
+// The second step accounts for edges being arcs of great circles, which are curved in the image. If a triangle is narrower than the
+// deviation of the arc along it from a straight line, its texture triangle is inverted. Splitting its longest edge at the midpoint
+// divides the deviation by four. Only edges that are the longest ones of both of their triangles are split, because other splits
+// create narrow triangles: if necessary, the longest edge of the neighbor is split first (Rivara's longest-edge propagation).
 template <class K>
 class Seam_cut
 {
@@ -59,16 +59,16 @@ class Seam_cut
 public:
   using Coordinates = std::array<double, 2>;
 
-  // `points` and `images` are those of the vertices.
+  // `points` and `images` belong to the vertices.
   Seam_cut(const Frame& frame, const std::vector<Point_3>& images, const std::vector<Linked_triangle>& triangles,
            std::vector<Vector_3d> points)
     : m_points(std::move(points))
   {
     cut_at_seam(frame, images, triangles);
-    // Maps whose faces are needles would take too many; those of usual surfaces take a few.
-    m_max_vertices = m_points.size() + images.size() + 1000; // a thousand for small meshes
+    // Maps with extremely narrow faces would need too many vertices; maps of typical surfaces need a few.
+    m_max_vertices = m_points.size() + images.size() + 1000; // 1000 more for small meshes
     std::vector<Index> changed;
-    for(Index t = 0; t < m_triangles.size(); ++t) // further ones are added on the way
+    for(Index t = 0; t < m_triangles.size(); ++t) // the loop also visits triangles that it adds
       for(changed = {t}; !changed.empty() && m_is_complete;)
       {
         const Index s = changed.back();
@@ -79,12 +79,12 @@ public:
       }
   }
 
-  // The points of all vertices: those that the mesh had come first.
+  // The points of all vertices; the vertices of the mesh come first.
   const std::vector<Vector_3d>& points() const { return m_points; }
 
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
-  // The coordinates of the corner i of the triangle t. A pole has any longitude: the one in the middle of the others.
+  // The coordinates of corner i of triangle t. The longitude at a pole is arbitrary: the mean of the other two is used.
   Coordinates coordinates(std::size_t t, std::size_t i) const
   {
     const std::array<Index, 3>& corners = m_triangles[t].vertices;
@@ -95,7 +95,7 @@ public:
     return result;
   }
 
-  // Whether no texture triangle is left that should have been cut.
+  // Whether all texture triangles that had to be split have been split.
   bool is_complete() const { return m_is_complete; }
 
 private:
@@ -120,16 +120,16 @@ private:
     m_sites.reserve(images.size());
     for(const Point_3& p : images)
       m_sites.push_back(frame.site(p));
-    std::vector<std::array<Index, 3>> cuts(triangles.size(), {none, none, none}); // the new vertices on edges
+    std::vector<std::array<Index, 3>> cuts(triangles.size(), {none, none, none}); // the new vertices on the edges
     for(Index t = 0; t < triangles.size(); ++t)
       for(const std::size_t i : {2u, 0u, 1u})
       {
         const Index s = triangles[t].neighbors[i], a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
-        if(t < s) // or it has been looked at
+        if(t < s) // each edge is processed once
           if(const auto crossing = frame.crossing(images[a], m_sites[a].place, images[b], m_sites[b].place))
             cuts[t][i] = cuts[s][triangles[s].side_of(t)] = add_on_edge(a, b, *crossing);
       }
-    std::vector<std::pair<Index, Index>> centers; // of triangles that have a pole inside
+    std::vector<std::pair<Index, Index>> centers; // triangles with a pole in their interior, and the pole
     for(const auto& [place, pole] : {std::pair(Triangle_location::north_pole, frame.north_pole()),
                                      std::pair(Triangle_location::south_pole, frame.south_pole())})
       if(std::none_of(m_sites.begin(), m_sites.end(), [at = place](const Site& site) { return site.place == at; }))
@@ -159,7 +159,7 @@ private:
     m_triangles = link_triangles(pieces, m_points.size());
   }
 
-  // Adds a pole, which is inside a face; returns the face.
+  // Adds a pole, which lies in the interior of a face; returns the face.
   Index add_pole(const Frame& frame, const Point_3& pole, const std::vector<Point_3>& images,
                  const std::vector<Linked_triangle>& triangles)
   {
@@ -171,7 +171,7 @@ private:
     const auto corner = [&](std::size_t i) { return Frame::coordinates(images[(*t)[i]]); };
     const auto w = barycentric_coordinates<typename K::FT>({corner(0), corner(1), corner(2)}, Frame::coordinates(pole),
                                                            {true, true, true});
-    double size = 0.; // whose square may overflow
+    double size = 0.; // not squared, because squares may overflow
     for(const Index v : t->vertices)
       size = (std::max)(size, m_sites[v].distance);
     Vector_3d point = {0., 0., 0.}, image = {0., 0., 0.};
@@ -182,7 +182,7 @@ private:
       image = image + (CGAL::to_double(w[i]) * (site.distance / size)) * site.direction;
     }
     Site site = frame.site(pole);
-    site.distance = size * length(image); // and not that of the direction
+    site.distance = size * length(image); // instead of the distance of the pole as given
     add(point, site);
     return static_cast<Index>(t - triangles.begin());
   }
@@ -213,7 +213,7 @@ private:
       pieces.push_back({corners[k], corners[(k + i) % n], corners[(k + i + 1) % n]});
   }
 
-  // Cuts a face, if it is a quadrangle, by the diagonal that leaves the larger texture triangles.
+  // Cuts a face by the diagonal whose smaller texture triangle is larger, if the face is a quadrangle.
   void cut_quadrangle(const std::vector<Index>& corners, std::vector<std::array<Index, 3>>& pieces) const
   {
     const bool is_east = is_in_the_east(corners);
@@ -225,7 +225,8 @@ private:
     cut_from(is_second ? 1 : 0, corners, pieces);
   }
 
-  // Cuts the longest edge of a triangle in the middle, or what comes first, and appends the pieces to `changed`.
+  // Splits the longest edge of a triangle at its midpoint, or an edge that must be split before, and appends the pieces to
+  // `changed`.
   void refine(Index t, std::vector<Index>& changed)
   {
     if(m_points.size() >= m_max_vertices)
@@ -242,15 +243,15 @@ private:
     }
     const Index s = m_triangles[t].neighbors[i], a = m_triangles[t][(i + 1) % 3], b = m_triangles[t][(i + 2) % 3];
     const Index m = add_on_edge(a, b, Frame::middle(m_sites[a], m_sites[b]));
-    // Triangle t keeps a, s keeps b; the new ones have the other end.
+    // Triangle t keeps vertex a and s keeps vertex b; the new triangles have the other ends.
     const Index new_t = static_cast<Index>(m_triangles.size()), new_s = new_t + 1;
     cut(t, i, m, new_t, s, new_s);
     cut(s, m_triangles[s].side_of(t), m, new_s, t, new_t);
     changed.insert(changed.end(), {t, new_t, s, new_s});
   }
 
-  // Cuts the triangle t from the vertex m of its side i, which is between a and b, to the other corner. The piece at b is new;
-  // across the side are the pieces `at_b`, an old one, and `at_a`.
+  // Cuts triangle t from vertex m on its side i, which is the side from a to b, to the opposite corner. The piece at b is new.
+  // The pieces on the other side of the edge are `at_b`, an old triangle, and `at_a`.
   void cut(Index t, std::size_t i, Index m, Index piece, Index at_b, Index at_a)
   {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -270,7 +271,8 @@ private:
     const double signed_area = area(coordinates(t, 0), coordinates(t, 1), coordinates(t, 2));
     if(signed_area > 0.)
       return false;
-    // What is smaller or narrower may be turned over by rounding. If it would take many pieces, it stays if nobody sees it.
+    // Smaller or narrower triangles may be inverted by rounding. If splitting would need many pieces, they are left as they are,
+    // because their area is too small to be visible.
     constexpr double min_length = 1e-9, min_aspect = 1e-6, max_area = 1e-10;
     const double longest = squared_length_of(t, longest_side(t));
     const Vector_3d &p = m_sites[a].direction, &q = m_sites[b].direction, &r = m_sites[c].direction;
@@ -290,7 +292,7 @@ private:
     return squared_length_of(t, 2) > squared_length_of(t, i) ? 2 : i;
   }
 
-  // Twice the area of a texture triangle.
+  // Twice the signed area of a texture triangle.
   static double area(const Coordinates& a, const Coordinates& b, const Coordinates& c)
   {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -31,11 +31,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A solid whose edges are divided into n, projected to the sphere. A vertex is the sum of the corners of its face, each
-// with a weight for how many of the parts it is away from the others: on an edge from a to b, it is weights[n - i] a +
-// weights[i] b. The faces of the solid have k corners each, 3 or 4.
+// A solid whose edges are divided into n parts, projected to the sphere. A vertex is a weighted sum of the corners of its face. The
+// weight of a corner depends on the number of parts between it and the vertex: on an edge from a to b, the sum is weights[n - i] a
+// + weights[i] b. The faces of the solid have k corners each, 3 or 4.
 //
-// The vertices are numbered from those of the solid to those of the edges and those of the faces, row by row.
+// The vertices of the solid come first, followed by those on edges and those in faces, row by row.
 template <std::size_t k>
 class Subdivided_solid
 {
@@ -53,7 +53,7 @@ public:
       directions.push_back(normalized(corner));
     for(const Face& face : faces)
       for(std::size_t i = 0; i < k; ++i)
-        if(const Index a = face[i], b = face[(i + 1) % k]; a < b) // it is the other way round in the other face
+        if(const Index a = face[i], b = face[(i + 1) % k]; a < b) // the other face has the opposite direction
         {
           m_edges.push_back({{a, b}, static_cast<Index>(directions.size())});
           for(Index j = 1; j < m_n; ++j)
@@ -65,14 +65,14 @@ public:
 
   std::vector<Vector_3d> directions; // of length 1
   std::vector<Triangle> triangles;   // counterclockwise as seen from outside
-  std::vector<Index> rows; // the vertices of each face, with those on its edges; row j is j parts from the edge
-                           // from its first to its second corner, and each starts at the edge to the last one
+  std::vector<Index> rows; // the vertices of each face, including its edges; row j is j parts away from the edge from
+                           // the first to the second corner, and each row starts at the edge to the last corner
 
 private:
   struct Edge
   {
     std::array<Index, 2> ends;
-    Index first; // of its n - 1 vertices
+    Index first; // the first of its n - 1 vertices
   };
 
   Index add(const Vector_3d& direction)
@@ -81,13 +81,13 @@ private:
     return static_cast<Index>(directions.size() - 1);
   }
 
-  // what is i of n parts from a to b
+  // The point at i of n parts of the way from a to b, not normalized.
   Vector_3d between(Index a, Index b, Index i, Index n) const
   {
     return m_weights[n - i] * m_corners[a] + m_weights[i] * m_corners[b];
   }
 
-  // the vertex that is i parts from a
+  // The vertex that is i parts away from a.
   Index vertex_on_edge(Index a, Index b, Index i) const
   {
     if(i == 0 || i == m_n)
@@ -131,7 +131,7 @@ private:
   std::vector<Edge> m_edges;
 };
 
-// Weights that divide an edge between two directions at this angle into n arcs of the same angle.
+// Weights that divide an edge, whose ends are directions at this angle, into n arcs of equal angle.
 inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint32_t n)
 {
   std::vector<double> weights;
@@ -140,7 +140,7 @@ inline std::vector<double> weights_of_equal_arcs(double angle_of_edge, std::uint
   return weights;
 }
 
-// The corner k is on the axis k % 3, on its negative side from 3 on.
+// Corner k is on the axis k % 3, on its negative side if k >= 3.
 constexpr std::array<std::array<std::uint32_t, 3>, 8> octahedron_faces = {
     {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}};
 
@@ -155,7 +155,7 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
 {
   std::vector<Vector_3d> corners = {{0., 0., 1.}};
   for(const double z : {1., -1.})
-    for(int i = 0; i < 5; ++i) // five vertices around each pole, at a height of 1 / sqrt(5)
+    for(int i = 0; i < 5; ++i) // five vertices around each pole, at z = +-1 / sqrt(5)
     {
       const double angle = (2 * i + (z < 0.)) * CGAL_PI / 5.;
       corners.push_back({std::sqrt(0.8) * cosine(angle), std::sqrt(0.8) * sine(angle), z * std::sqrt(0.2)});
@@ -173,11 +173,11 @@ inline Subdivided_solid<3> subdivided_icosahedron(std::uint32_t n)
   return {corners, faces, weights_of_equal_arcs(arc_tangent(2., 1.), n)};
 }
 
-// Bit k of the number of a corner tells the sign of its coordinate k.
+// Bit k of the index of a corner is the sign of its coordinate k.
 constexpr std::array<std::array<std::uint32_t, 4>, 6> cube_faces = {
     {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
 
-// On the faces of a cube, lines that are equally spaced in the angle about the axes give the most even squares.
+// Lines on the faces of a cube that are equally spaced in the angle about the axes yield the most uniform squares.
 inline Subdivided_solid<4> subdivided_cube(std::uint32_t n)
 {
   std::vector<Vector_3d> corners;

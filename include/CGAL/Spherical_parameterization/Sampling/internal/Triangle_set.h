@@ -28,9 +28,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The square of the distance to a triangle, which may be an edge or a point: to the foot of the perpendicular where that is
-// inside, or to a place on an edge. The foot has its coordinates along the longest edge and the height above it, so that it
-// is as exact on needles.
+// The squared distance to a triangle, which may degenerate to an edge or a point: to the foot of the perpendicular if it is inside the
+// triangle, otherwise to a point on an edge. The foot is computed in coordinates along the longest edge and the height above it,
+// which is equally accurate for needles.
 inline double squared_distance(const Vector_3d& p, const Vector_3d* t)
 {
   double result = (std::numeric_limits<double>::max)(), longest = 0.;
@@ -61,12 +61,12 @@ inline double squared_distance(const Vector_3d& p, const Vector_3d* t)
   return result;
 }
 
-// The triangles of a surface: points that are spread evenly over them, and the distance to the nearest one. CGAL::AABB_tree
-// has upright boxes only, see lay_along_needles(), and takes up to 2.5 times as long on ordinary surfaces.
+// The triangles of a surface, with evenly distributed sample points, and the distance to the nearest triangle. CGAL::AABB_tree has
+// axis-aligned boxes only, see align_with_needles(), and takes up to 2.5 times as long on typical surfaces.
 class Triangle_set
 {
 public:
-  // Takes triangles by their corners, which are normalized, and have to stay where they are.
+  // Takes triangles given by their corners, which must be normalized and must outlive this object.
   Triangle_set(const Vector_3d* corners, std::size_t n_corners)
     : m_corners(corners)
     , m_areas(n_corners / 3)
@@ -91,8 +91,8 @@ public:
     return length(box.max - box.min);
   }
 
-  // The place with the number k of n: triangle by triangle at equal steps of the area, and in a triangle by the additive
-  // recurrence of the plastic number, which has low discrepancy.
+  // Sample point k of n: triangles are selected at equal steps of the accumulated area; the point in the triangle is given by the
+  // additive recurrence of the plastic number, which has low discrepancy.
   Vector_3d place(std::size_t k, std::size_t n) const
   {
     const double area = (static_cast<double>(k) + 0.5) / static_cast<double>(n) * m_areas.back();
@@ -130,8 +130,8 @@ private:
 
   struct Box
   {
-    Vector_3d min = {huge, huge, huge}, max = {-huge, -huge, -huge}; // of no point
-    std::size_t frame = none; // in which it is upright, if that is not the coordinate system
+    Vector_3d min = {huge, huge, huge}, max = {-huge, -huge, -huge}; // empty
+    std::size_t frame = none; // the index of its frame; none if it is axis-aligned
 
     void extend(const Vector_3d& p)
     {
@@ -142,7 +142,7 @@ private:
       }
     }
 
-    // half the area of its surface
+    // Half of its surface area.
     double area() const
     {
       const Vector_3d size = max - min;
@@ -159,11 +159,11 @@ private:
     return squared_length(d);
   }
 
-  // A balanced binary tree: ranges of `m_order`, halved as long as they are longer than `leaf_size`. Its boxes have the
-  // numbers of the middles of their ranges, which differ as no half has less than two elements.
+  // A balanced binary tree: ranges of `m_order` are halved while they are longer than `leaf_size`. The index of a box is the middle
+  // of its range; these indices are distinct, because no half has less than two elements.
   static std::size_t middle(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
 
-  // The box of a range, by the coordinates of its corners in some frame.
+  // The bounding box of a range, in the coordinates of some frame.
   template <class Coordinates>
   Box box_of(std::size_t begin, std::size_t end, const Coordinates& coordinates) const
   {
@@ -174,13 +174,14 @@ private:
     return box;
   }
 
-  // Lays the box of a range of needles along them. The upright boxes of needles around a vertex overlap nearly everywhere, so
-  // that each query would look at most of them.
-  void lay_along_needles(std::size_t begin, std::size_t end, Box& box)
+  // Aligns the box of a range of needles with them. The axis-aligned boxes of needles around a vertex overlap nearly everywhere,
+  // so that each query would visit most of them.
+  void align_with_needles(std::size_t begin, std::size_t end, Box& box)
   {
-    constexpr double min_filling = 0.1; // of the surface of a box, by triangles; where these are no needles, it is more
-    // More than rounding changes: coordinates of a corner and of a query, each by 5.2 * 2^-53, and distances of at most 4 units,
-    // as the frame is orthonormal but for some units of 2^-53.
+    // The area of the triangles divided by that of the box; it is larger unless the triangles are needles.
+    constexpr double min_filling = 0.1;
+    // Exceeds all rounding errors: those of the coordinates of a corner and of a query, 5.2 * 2^-53 each, and those of distances,
+    // which are at most 4, because the frame is orthonormal only up to a few units of 2^-53.
     constexpr double tolerance = 0x1p-47;
     double area = 0., longest = 0.;
     Frame frame = {};
@@ -204,7 +205,7 @@ private:
       return;
     frame[0] = normalized(frame[0]);
     frame[1] = cross(normalized(frame[2]), frame[0]);
-    if(!(squared_length(frame[1]) > 0.5)) // of a triangle that is an edge but for rounding
+    if(!(squared_length(frame[1]) > 0.5)) // the triangle degenerates to an edge up to rounding error
       return;
     frame[1] = normalized(frame[1]);
     frame[2] = cross(frame[0], frame[1]);
@@ -224,10 +225,11 @@ private:
   void build(std::size_t begin, std::size_t end)
   {
     Box& box = m_boxes[middle(begin, end)] = box_of(begin, end, [](const Vector_3d& p) { return p; });
-    lay_along_needles(begin, end, box);
+    align_with_needles(begin, end, box);
     if(end - begin <= leaf_size)
       return;
-    // Halved where the centres, not the boxes, reach farthest: needles around a vertex all reach as far.
+    // The range is halved along the axis of largest extent of the centers, not of the boxes: needles around a vertex have equal
+    // extents.
     const auto center = [&](std::size_t t) { return triangle(t)[0] + triangle(t)[1] + triangle(t)[2]; };
     Box centers;
     for(std::size_t k = begin; k < end; ++k)
@@ -241,7 +243,7 @@ private:
     build(middle(begin, end), end);
   }
 
-  // Lowers `nearest` to the square of the distance to the nearest triangle of a range, if that is less.
+  // Reduces `nearest` to the squared distance to the nearest triangle of a range, if that is smaller.
   void find_nearest(std::size_t begin, std::size_t end, const Vector_3d& p, double& nearest) const
   {
     if(end - begin <= leaf_size)
@@ -262,10 +264,10 @@ private:
   }
 
   const Vector_3d* m_corners;
-  std::vector<double> m_areas; // of the triangles up to each; their numbers, if no triangle has an area
+  std::vector<double> m_areas; // accumulated areas of the triangles; accumulated counts if all areas are 0
   std::vector<std::size_t> m_order;
   std::vector<Box> m_boxes;
-  std::vector<Frame> m_frames; // of the boxes that are not upright
+  std::vector<Frame> m_frames; // of the boxes that are not axis-aligned
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -62,7 +62,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code measure_distance(std::vector<V
   const int exponent = normalize(corners);
   const Triangle_set first(corners.data(), n_first), second(corners.data() + n_first, corners.size() - n_first);
   const auto one_way = [&](const Triangle_set& from, const Triangle_set& to, std::size_t n) {
-    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
+    constexpr std::size_t block_size = 256; // large enough that the overhead of parallel execution is negligible
     std::vector<double> squares(n);
     for_each_block_until_stopped(control, execution, n, block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t k = begin; k < end; ++k)
@@ -82,7 +82,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code measure_distance(std::vector<V
 
 using Resampled_sphere = Sphere_triangulation<Exact_predicates_inexact_constructions_kernel>;
 
-// What the vertices of a sphere interpolate in another one: corners of triangles with positive coordinates.
+// The barycentric weights of the vertices of `of` in `in`: the corners of triangles with positive coordinates.
 inline Interpolation_weights barycentric_weights(const Resampled_sphere& of, const Resampled_sphere& in)
 {
   const auto places = locations_of_vertices(of, in);
@@ -151,17 +151,17 @@ connect_spheres(const Resampling_settings& settings, const std::vector<Vector_3d
     return error;
   if(const Error_code error = read_sphere(target, target_triangles, to, execution))
     return error;
-  Interpolation_weights interpolated, handed_out;
+  Interpolation_weights interpolated, distributed;
   run_both(
       execution,
       [&] {
         if(is_adaptive)
-          handed_out = barycentric_weights(from, to);
+          distributed = barycentric_weights(from, to);
       },
       [&] { interpolated = barycentric_weights(to, from); });
   if(is_adaptive)
     interpolated =
-        adaptive_weights(interpolated, handed_out, relative_areas(source_areas), relative_areas(target_areas));
+        adaptive_weights(interpolated, distributed, relative_areas(source_areas), relative_areas(target_areas));
   const bool is_only_largest = method == Resampling_method::nearest || method == Resampling_method::largest;
   weights = is_only_largest || !mask.empty() ? selected(interpolated, mask, is_only_largest) : std::move(interpolated);
   return OK;

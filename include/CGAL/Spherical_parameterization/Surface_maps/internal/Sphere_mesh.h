@@ -25,7 +25,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The images of a surface on its sphere, in which directions can be located.
+// The images of a surface on its sphere, with point location.
 using Sphere_mesh = Sphere_triangulation<Sphere_kernel>;
 
 inline Sphere_kernel::Point_3 point_of(const Vector_3d& p)
@@ -58,7 +58,7 @@ inline std::vector<Vector_3d> rotated_directions(const Rotation_matrix& rotation
   return directions;
 }
 
-// The vertex that has the largest barycentric coordinate of a location.
+// The vertex with the largest barycentric coordinate of a location.
 inline std::uint32_t nearest_vertex(const std::vector<Linked_triangle>& triangles,
                                     const Sphere_mesh::Triangle_location& location)
 {

@@ -22,11 +22,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The levels of a surface on its sphere, down to that by which it is compared with others.
+// The levels of a surface on its sphere, down to the level that is compared with other surfaces.
 class Surface_levels
 {
 public:
-  // The directions of the images are in the order of the caller.
+  // The directions are those of the images, in the order of the caller.
   Surface_levels(const Surface& mesh, const std::vector<Vector_3d>& directions, Run_control& control,
                  const Execution& execution)
     : m_mesh(mesh)
@@ -35,29 +35,29 @@ public:
                   {}, Surface_descriptor::max_size)
   {}
 
-  // The features and the mask are in the order of the mesh.
+  // Features and mask are in the order of the mesh.
   Surface_descriptor coarse_surface(const std::vector<Vertex_scalars>& features, const Mask& mask) const
   {
     return Surface_descriptor(m_hierarchy, m_mesh, m_images, features, mask);
   }
 
-  // Takes a map of the coarsest level to the finest one; `positions` receives it. Returns false if doubles cannot hold it. The
-  // levels are used up.
+  // Refines a map of the coarsest level to the finest one; `positions` receives it. Returns false if double precision does not
+  // suffice. The levels are consumed.
   bool lower(const std::vector<Vector_3d>& coarse, const Target_goals& goals, std::vector<Vector_3d>& positions,
              Run_control& control, const Execution& execution)
   {
     return lower(m_hierarchy, coarse, goals, Target_sweeps(), positions, control, execution);
   }
 
-  // The score of a map of the coarsest level, taken to a level that has up to 8000 vertices, where the features of the mesh
-  // itself show more than on the coarsest one; least if doubles cannot hold it.
+  // The score of a map of the coarsest level after refinement to a level of up to 8000 vertices, where the features of the mesh
+  // contain more detail than on the coarsest level. The lowest value of double if double precision does not suffice.
   double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
                               const Execution& execution) const
   {
-    // With more, half-turns win more often: their energy is often lower.
+    // With a larger weight, half-turns win more often, because their energy is often lower.
     constexpr double weight_of_stretching = 0.15;
     constexpr std::size_t max_size = 8000;
-    constexpr Target_sweeps sweeps = {10, 1e-3, 0.04}; // With six times as many, the same ones win.
+    constexpr Target_sweeps sweeps = {10, 1e-3, 0.04}; // With six times as many, the same alignments win.
     std::size_t k = 0;
     while(k + 1 < m_hierarchy.number_of_levels() && m_hierarchy.level(k).vertices.size() > max_size)
       ++k;
@@ -79,7 +79,7 @@ private:
     positions = m_images;
     for(std::size_t v = 0; v < coarse.size(); ++v)
       positions[level.vertices[v]] = coarse[v];
-    return lower_on_levels(levels, m_mesh.points(), m_images, goals, sweeps, positions, control, execution);
+    return minimize_on_levels(levels, m_mesh.points(), m_images, goals, sweeps, positions, control, execution);
   }
 
   const Surface& m_mesh;

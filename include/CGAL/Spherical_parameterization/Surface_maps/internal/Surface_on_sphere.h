@@ -31,10 +31,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The kernel of all images on spheres that are compared with others.
+// The kernel of all images on spheres that are compared with other spheres.
 using Sphere_kernel = Exact_predicates_inexact_constructions_kernel;
 
-// A surface and its map to the sphere, as they have been read: in the order of the caller.
+// A surface and its map to the sphere as read, in the order of the caller.
 struct Surface_on_sphere
 {
   std::vector<Vector_3d> points;
@@ -42,7 +42,7 @@ struct Surface_on_sphere
   std::vector<Linked_triangle> triangles;
 };
 
-// A surface, the directions of its images, and features, if any, in the order of the caller.
+// A surface, the directions of its images, and optional features, in the order of the caller.
 struct Surface_to_align
 {
   std::vector<Vector_3d> points, directions;
@@ -50,27 +50,27 @@ struct Surface_to_align
   std::vector<std::vector<double>> features;
 };
 
-// The common refinement of two surfaces, triangulated, with the points of its vertices on both.
+// The triangulated common refinement of two surfaces, with the points of its vertices on both surfaces.
 struct Overlay_arrays
 {
   std::array<std::vector<Vector_3d>, 2> points; // on each surface
   Index_triangles triangles;
-  std::vector<std::array<std::uint32_t, 2>> parents; // of the triangles, on each surface
+  std::vector<std::array<std::uint32_t, 2>> parents; // the face of each surface that contains each triangle
 };
 
-// The settings of Surface_mapper_3: all that is known of two surfaces beside their shapes.
+// The settings of Surface_mapper_3: all information about two surfaces except their shapes.
 struct Surface_map_settings
 {
-  std::optional<double> landmark_weight; // without it, they are to be met exactly
+  std::optional<double> landmark_weight; // without a weight, landmarks are hard: they are to be met exactly
   double feature_weight = 4.;
-  std::vector<double> feature_weights; // of each; empty if all are the same
-  bool compares_values = false;        // of these features, and not ranks
-  bool keeps_alignment = false;        // of the spheres as they are
+  std::vector<double> feature_weights; // of each feature; empty if all are equal
+  bool compares_values = false;        // compares values of these features instead of ranks
+  bool keeps_alignment = false;        // keeps the current rotations of the spheres
 
-  // The values at the vertices of both surfaces, which each run reads in the order of the caller; prepare_features() brings
-  // features and masks to the own order of the surfaces. Landmarks stay in that of the caller.
-  std::array<std::vector<std::vector<double>>, 2> features; // if there are none, those of the package are used
-  std::array<std::vector<char>, 2> masks; // whether a vertex does not count; empty if all of a surface does
+  // The values at the vertices of both surfaces. Each run reads them in the order of the caller; prepare_features() converts
+  // features and masks to the internal order of the surfaces. Landmarks stay in the order of the caller.
+  std::array<std::vector<std::vector<double>>, 2> features; // if empty, the features of the package are used
+  std::array<std::vector<char>, 2> masks;                   // nonzero at excluded vertices; empty if none is excluded
   std::vector<std::array<std::uint32_t, 2>> landmarks;
 
   bool has_hard_landmarks() const { return !landmark_weight; }

@@ -26,11 +26,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A surface on its sphere, in which directions can be located. The length that is 1 for its points is 2 to the power of
-// `exponent`, see normalize().
+// A surface on its sphere, with point location. Points are scaled by powers of two: the unit of length of `points` is 2 to the
+// power of `exponent`, see normalize().
 struct Located_surface
 {
-  Surface mesh; // the same surface; all else is in the order of the caller
+  Surface mesh; // the same surface in its internal order; all other members are in the order of the caller
   Sphere_mesh sphere;
   std::vector<Vector_3d> points;
   int exponent = 0;
@@ -47,8 +47,8 @@ struct Located_surface
   }
 };
 
-// Brings the features to the scale in which they are compared, with their weights, and takes them and the masks to the own order
-// of the surfaces.
+// Converts features to the scale in which they are compared, including their weights, and converts features and masks to the
+// internal order of the surfaces.
 inline void prepare_features(const std::array<const Surface*, 2>& surfaces, Surface_map_settings& settings)
 {
   std::array<Vertex_scalars, 2> areas;
@@ -81,15 +81,15 @@ inline void prepare_features(const std::array<const Surface*, 2>& surfaces, Surf
   }
 }
 
-// Two surfaces of which the first one is mapped onto the second one, with what all stages of that need.
+// The two surfaces of a map from the first to the second one, with the data that all stages require.
 struct Surface_pair
 {
   const Located_surface &first, &second;
   const Surface_map_settings& settings;
   Run_control& control;
   const Execution& execution;
-  Target_metric metric;                                   // of the second surface
-  std::vector<std::pair<Vector_3d, Vector_3d>> landmarks; // their directions on both spheres
+  Target_metric metric;                                   // the metric of the second surface
+  std::vector<std::pair<Vector_3d, Vector_3d>> landmarks; // the directions of landmarks on both spheres
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -29,18 +29,18 @@ struct Surface_start
   struct Rival
   {
     std::vector<Vector_3d> directions; // of the vertices of the first coarse surface
-    double lag;                        // how far its score is below that of the alignment
+    double lag;                        // the score of the alignment minus its score
   };
 
   Alignment alignment;
   double margin = 0.;
   bool is_uncertain = false;
-  std::vector<Rival> rivals;              // other alignments that are nearly as good
+  std::vector<Rival> rivals;              // alternative alignments that are nearly as good
   std::unique_ptr<Surface_levels> levels; // of the first surface, if it has been compared with the second one
-  std::unique_ptr<Coarse_pair> surfaces;  // if these could be compared
-  Feature_goals features;                 // of the first surface, and of the sphere of the second one
+  std::unique_ptr<Coarse_pair> surfaces;  // if they could be compared
+  Feature_goals features;                 // features of the first surface and of the sphere of the second one
 
-  // Takes a rotation by landmarks alone.
+  // Replaces the alignment by a rotation that was determined by landmarks alone.
   void take_rotation(const Rotation_matrix& rotation)
   {
     alignment = {};
@@ -53,7 +53,7 @@ struct Surface_start
   }
 };
 
-// Makes the levels of the first surface, and the coarse surfaces, unless doubles cannot hold these.
+// Computes the levels of the first surface, and the coarse surfaces, unless double precision does not suffice for these.
 inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
 {
   const Surface_map_settings& settings = pair.settings;
@@ -69,11 +69,11 @@ inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
         std::make_unique<Coarse_pair>(std::move(coarse1), std::move(coarse2), pair.control, pair.execution);
 }
 
-// Chooses among alignments, of which the first one is the best. This one and those that are nearly as good are led by eigenfunctions,
-// and compared on a finer level.
+// Chooses among alignments, of which the first one is the best. It and those that are nearly as good are refined with the guidance of
+// eigenfunctions, and compared on a finer level.
 inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> candidates, Surface_start& start)
 {
-  constexpr double max_lag = 0.15; // of right ones that won on the finer level, 0.11 is the largest known
+  constexpr double max_lag = 0.15; // the largest known lag of a correct one that won on the finer level is 0.11
   constexpr std::size_t max_candidates = 4, batch_size = 2;
   start.margin = candidates.size() > 1 ? (std::min)(candidates[0].score - candidates[1].score, max_lag) : max_lag;
   std::size_t n = candidates[0].directions.empty() ? 0 : 1;
@@ -90,7 +90,7 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
     descent.match_functions(alignment);
     if(!are_compared)
       return;
-    Run_control silent; // A visitor follows the levels of the refinement alone.
+    Run_control silent; // Only the levels of the final refinement are reported to a visitor.
     const Target_goals goals = {pair.metric, start.features, weight_of_features(alignment.agreement, pair.settings)};
     scores[k] =
         start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
@@ -109,17 +109,18 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
     }
 }
 
-// Whether surfaces agree too little, or other alignments agree nearly as well, by features of a caller, of which no errors are known.
+// Whether the alignment is ambiguous for features of the caller, for which no expected errors are known: the surfaces agree too little,
+// or an alternative agrees nearly as well.
 inline bool is_ambiguous_by_callers_features(const Surface_start& start)
 {
   return start.alignment.agreement < 0.73 || start.margin < 0.1;
 }
 
-// Finds the start: the best alignment of coarse surfaces; the rotation by landmarks, if surfaces do not agree; or the spheres as
-// they are.
+// Finds the start: the best alignment of the coarse surfaces; the rotation given by landmarks, if the surfaces do not agree; or the
+// spheres as given.
 inline Surface_start choose_start(const Surface_pair& pair)
 {
-  // Once landmarks have led them, a gorilla and a person agree by 0.57 or more, a sphere and an octahedron by 0.44.
+  // With the guidance of landmarks, a gorilla and a person agree by at least 0.57, a sphere and an octahedron by 0.44.
   constexpr double min_agreement_beside_landmarks = 0.5;
   const Surface_map_settings& settings = pair.settings;
   Surface_start result;

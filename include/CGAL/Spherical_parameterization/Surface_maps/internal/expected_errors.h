@@ -18,11 +18,11 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// How far the image of each vertex may be from where it should be.
+// The expected distance of the image of each vertex from the correct corresponding point.
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// For each vertex, the mean over its faces of the squared slopes of all features together.
+// For each vertex, the mean over its faces of the squared gradient of all features together.
 inline Vertex_scalars squared_slopes(const Surface_descriptor& surface)
 {
   const std::vector<Vector_3d>& points = surface.points();
@@ -51,24 +51,24 @@ inline Vertex_scalars squared_slopes(const Surface_descriptor& surface)
   return sums;
 }
 
-// Estimates the distances of the images of the vertices of the first surface from where they should be, over the root of the area
-// of the second surface, by features of the package; returns the mean over the first surface. With the agreement a, the distances m1 and
-// m2 by which the image has moved since before eigenfunctions led the map and since they have, and the difference f and the gradient g
-// of the features there, smoothed over the surface, it is
+// Estimates the distances of the images of the vertices of the first surface from the correct corresponding points, divided by the square
+// root of the area of the second surface, for features of the package; returns the mean over the first surface. The inputs are the
+// agreement a; the distances m1 and m2 by which the image has moved since before and since after the guidance by eigenfunctions; and the
+// difference f and the gradient g of the features at the image, smoothed over the surface. The estimate is
 //
-//   13.3 exp(-3.3 a) ((m1 + 0.003) (m2 + 0.003))^(1/4) f^(1/2) / (g + 1)^(1/3)
+//   13.3 exp(-3.3 a) ((m1 + 0.003) (m2 + 0.003))^(1/4) f^(1/2) / (g + 1)^(1/3),
 //
-// by a regression of the errors of 55 maps at known points, with exponents rounded. Another alignment that is nearly as good adds a share of
-// the distance of its image. Distances are those in space, which are a little shorter than those along the surface.
+// a regression of the errors of 55 maps at known points, with rounded exponents. An alternative alignment that is nearly as good adds a
+// fraction of the distance of its image. Distances are measured in space; they are slightly shorter than those along the surface.
 inline double expected_errors(const Surface_pair& pair, const Surface_start& start,
                               const std::vector<Vector_3d>& directions, Vertex_scalars& errors)
 {
   constexpr double factor = 13.3, of_agreement = -3.3, least_way = 0.003, least_slope = 1.;
-  constexpr double decay_with_lag = 0.1, share_of_rival = 0.25;
-  constexpr double mean_distance = 0.5; // of two points, for most surfaces: any image would be as good
-  constexpr double time_of_heat = 0.0025, tolerance = 1e-3, min_area = 1e-12; // it goes 0.05, two edges
+  constexpr double decay_with_lag = 0.1, fraction_of_rival = 0.25;
+  constexpr double mean_distance = 0.5; // of two points, for most surfaces: the error of an arbitrary image
+  constexpr double time_of_heat = 0.0025, tolerance = 1e-3, min_area = 1e-12; // diffusion over 0.05, two edges
   const Surface_descriptor &first = start.surfaces->first(), &second = start.surfaces->second();
-  if(!(start.alignment.agreement > 0.)) // nothing is known, as of a regular tetrahedron
+  if(!(start.alignment.agreement > 0.)) // there is no information, for example on a regular tetrahedron
   {
     errors.assign(pair.first.points.size(), mean_distance);
     return mean_distance;
@@ -102,12 +102,12 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
   const auto smoothed = [&](const Vertex_scalars& values) {
     Vertex_scalars result = diffusion.after(time_of_heat, values, tolerance);
     for(double& x : result)
-      x = (std::max)(x, 0.); // rounding
+      x = (std::max)(x, 0.); // removes negative rounding errors
     return result;
   };
   const auto smoothed_roots = [&](Vertex_scalars values) {
     for(double& x : values)
-      x = std::sqrt((std::max)(x, 0.)); // rounding
+      x = std::sqrt((std::max)(x, 0.)); // removes negative rounding errors
     return smoothed(values);
   };
 
@@ -126,7 +126,7 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
   for(const Surface_start::Rival& rival : start.rivals)
   {
     const Vertex_scalars ways = ways_from(rival.directions);
-    const double share = share_of_rival * exponential(-rival.lag / decay_with_lag);
+    const double share = fraction_of_rival * exponential(-rival.lag / decay_with_lag);
     for(std::size_t v = 0; v < n; ++v)
       by_rivals[v] = (std::max)(by_rivals[v], share * ways[v]);
   }
@@ -146,7 +146,7 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
   errors.clear();
   for(const auto& location : first.sphere().locate(pair.first.sphere.points(), pair.execution))
     errors.push_back(
-        (std::min)(interpolated(coarse_errors, first.sphere().triangles(), location), mean_distance)); // rounding
+        (std::min)(interpolated(coarse_errors, first.sphere().triangles(), location), mean_distance)); // rounding error
   return area > 0. ? sum / area : 0.;
 }
 

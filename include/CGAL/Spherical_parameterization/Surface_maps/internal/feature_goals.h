@@ -19,12 +19,12 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// The features by which a map is led on levels that are finer than the coarse surfaces.
+// The features that guide a map on levels that are finer than the coarse surfaces.
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The features of the package at the vertices of one of the surfaces, in the order of the mesh: those of the coarse surfaces, and
-// the curvature as the mesh itself has it, which the coarse one has lost.
+// The features of the package at the vertices of one of the surfaces, in the order of the mesh: those of the coarse surface, and the
+// curvature of the mesh itself, which is not preserved on the coarse surface.
 inline std::vector<Vertex_scalars> own_features(const Located_surface& surface, const Sphere_image& coarse,
                                                 const Mask& mask)
 {
@@ -44,7 +44,7 @@ inline std::vector<Vertex_scalars> own_features(const Located_surface& surface, 
   const double area = std::accumulate(areas.begin(), areas.end(), 0.), scale = area > 0. ? 1. / std::sqrt(area) : 1.;
   for(Vector_3d& p : points)
     p = scale * p;
-  constexpr double squared_edges = 3.5; // heat goes some two edges far; three times as much is as good
+  constexpr double squared_edges = 3.5; // diffusion over about two edges; three times as much is equally good
   const double t = squared_edges / static_cast<double>(n), min_area = 1e-6 / static_cast<double>(n);
   result.push_back(
       ranks_by_area(mean_curvature(surface.mesh.rings(), points, t, min_area), areas_outside(mask, areas)));
@@ -52,18 +52,18 @@ inline std::vector<Vertex_scalars> own_features(const Located_surface& surface, 
   return result;
 }
 
-// The weight of the features once they have aligned the surfaces: those of the package count the less, the less they agree, as
-// they are noise on bodies without extremities.
+// The weight of the features after the alignment. The weight of features of the package increases with their agreement, because they are
+// noise on bodies without extremities.
 inline double weight_of_features(double agreement, const Surface_map_settings& settings)
 {
   const double trust = settings.features[0].empty() ? std::clamp(agreement, 0., 1.) : 1.;
   return settings.feature_weight * trust * trust * trust * trust;
 }
 
-// The goals by the features of the package, if the coarse surfaces have been compared, or by a caller's.
+// The goals given by features of the package, if the coarse surfaces have been compared, or by features of the caller.
 inline Feature_goals feature_goals(const Surface_pair& pair, const Coarse_pair* surfaces)
 {
-  // Between nodes of an image it is about as far as between vertices, up to 1.6 million nodes, 50 MB for each four features.
+  // The distance of nodes of an image is about that of vertices, up to 1.6 million nodes, which take 50 MB for each four features.
   constexpr std::size_t max_steps = 512;
   const Surface_map_settings& settings = pair.settings;
   Feature_goals result;

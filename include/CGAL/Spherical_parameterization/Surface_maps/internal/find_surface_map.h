@@ -26,14 +26,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Finds a map of the first surface onto the second one: the directions of its vertices on the sphere of the second one, in
-// the order of the caller, and their expected errors, if they can be estimated. It is yet to be certified.
+// Finds a map of the first surface onto the second one: the directions of its vertices on the sphere of the second one, in the order of
+// the caller, and their expected errors, if they can be estimated. The map is not certified yet.
 Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere second_surface,
                             Surface_map_settings settings, std::vector<Vector_3d>& directions,
                             std::vector<double>& errors, Surface_map_report& report, Run_control& control,
                             const Execution& execution);
 
-// Finds what align_spheres() does.
+// Implements align_spheres().
 Error_code find_rotations(const Surface_to_align& first, const Surface_to_align& second, Sphere_alignment_3& alignment,
                           Run_control& control, const Execution& execution);
 

@@ -23,7 +23,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The stages of map_surface(), each of which hands its result to the next one:
+// The stages of map_surface(), each of which passes its result to the next one:
 //
 //   propose  rotations and matched extremities             propose_rotations(), propose_starts()
 //   choose   descents on coarse surfaces, eigenfunctions,   best_alignments(), choose_alignment(), choose_start()
@@ -36,8 +36,8 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
                             std::vector<double>& errors, Surface_map_report& report, Run_control& control,
                             const Execution& execution)
 {
-  constexpr double energy_of_copies = 2. + 1e-9; // the least, but for rounding: they need no descent
-  constexpr double max_expected_error = 0.105;   // With less, more right maps are flagged; see the page on experiments.
+  constexpr double energy_of_copies = 2. + 1e-9; // the minimum up to rounding error; copies need no descent
+  constexpr double max_expected_error = 0.105; // With less, more correct maps are flagged; see the page "Experiments".
   Located_surface first, second;
   Error_code error1 = OK, error2 = OK;
   run_both(
@@ -71,8 +71,8 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
 
     Map_energy refined_energy;
     const bool is_bijection = is_refined && measure_map(pair, refined, refined_energy);
-    // The averaged metric moves even the identity: only the surfaces themselves show whether that has helped. Samples find less than
-    // the refinement, and cannot be compared with it.
+    // The averaged metric moves even the identity: only the surfaces themselves show whether the descent was an improvement. Energies
+    // measured by samples are lower than those on the refinement, and are not comparable with them.
     const bool are_comparable = energy.value && refined_energy.value && energy.is_sampled == refined_energy.is_sampled;
     const bool is_better =
         !is_from_rotation || (are_comparable ? *refined_energy.value < *energy.value : control.is_stopped());
@@ -111,7 +111,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 Error_code find_rotations(const Surface_to_align& first, const Surface_to_align& second, Sphere_alignment_3& alignment,
                           Run_control& control, const Execution& execution)
 {
-  constexpr std::size_t n_candidates = 4; // to choose from, where a surface is nearly symmetric
+  constexpr std::size_t n_candidates = 4; // alternatives in case of a nearly symmetric surface
   std::array<std::optional<Surface_descriptor>, 2> coarse;
   for(std::size_t k = 0; k < 2; ++k)
   {

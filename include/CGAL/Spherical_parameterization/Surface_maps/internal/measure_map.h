@@ -24,12 +24,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What a map to a surface makes of the edges of a triangle: of its corners, the directions a, at the location
-// q = w0 a0 + w1 a1 + w2 a2. The map is projective, so this is its differential there.
+// The images of the edges of a triangle under the differential of a map to a surface. The corners of the triangle have directions a, and
+// the differential is evaluated at q = w0 a0 + w1 a1 + w2 a2, because the map is projective.
 //
-// In the face with the images b and the corners Q, q is s (v0 b0 + v1 b1 + v2 b2) with coordinates v of sum 1, and is mapped to
-// P = v0 Q0 + v1 Q1 + v2 Q2. A step d of q adds det(d, b1, b2) / det(b0, b1, b2), and so on, to s v, and so the sum of these
-// times Q0 - P, and so on, to s P.
+// In the face with images b and corners Q, q is s (v0 b0 + v1 b1 + v2 b2) with coordinates v of sum 1, and is mapped to
+// P = v0 Q0 + v1 Q1 + v2 Q2. A displacement d of q adds det(d, b1, b2) / det(b0, b1, b2), and so on, to s v. Hence the sum of these
+// quotients times Q0 - P, and so on, is added to s P.
 inline Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::array<double, 3>& w,
                                   const Sphere_mesh& sphere, const std::vector<Vector_3d>& points,
                                   Sphere_mesh::Hint& hint)
@@ -51,12 +51,12 @@ inline Triangle_edges image_edges(const std::array<Vector_3d, 3>& a, const std::
   return {image_of(a[2] - a[1]), image_of(a[0] - a[2]), image_of(a[1] - a[0])};
 }
 
-// Barycentric coordinates that are spread evenly over a triangle: the centers of the n^2 parts into which it is divided if each
-// edge is divided into n.
+// Barycentric coordinates that are evenly distributed over a triangle: the centers of the n^2 parts that result if each edge is divided
+// into n parts.
 inline std::vector<std::array<double, 3>> samples_in_triangle(std::size_t n)
 {
   std::vector<std::array<double, 3>> result;
-  const auto add = [&](std::size_t x, std::size_t y) { // in thirds of a part
+  const auto add = [&](std::size_t x, std::size_t y) { // coordinates in thirds of a part
     const double u = static_cast<double>(x) / static_cast<double>(3 * n),
                  v = static_cast<double>(y) / static_cast<double>(3 * n);
     result.push_back({u, v, 1. - u - v});
@@ -71,17 +71,17 @@ inline std::vector<std::array<double, 3>> samples_in_triangle(std::size_t n)
   return result;
 }
 
-// The mean over the first surface of the symmetric Dirichlet energy of the map to the second one, by the sphere of both, if
-// they are scaled to the same area: 2 for an isometry. It is measured at samples in each face of the first surface, in the time
-// that it takes to locate them: refined in common, two surfaces can have as many parts as the product of their sizes. What has
-// no area, or nearly so, on one of the surfaces is left out; the mean is infinite if nothing is left. The second sphere needs
-// its grid. It is 0 if the control ends it.
+// The mean over the first surface of the symmetric Dirichlet energy of the map to the second one through their common sphere, with both
+// scaled to the same area: 2 for an isometry. It is measured at samples in each face of the first surface, in the time of their point
+// location, because the common refinement may have as many parts as the product of the sizes. Samples with zero or nearly zero area on
+// one of the surfaces are excluded; the mean is infinite if none is left. The second sphere must have a grid. Returns 0 if the control
+// stops the run.
 inline double mean_energy_over_first(const Sphere_mesh& sphere1, const std::vector<Vector_3d>& points1,
                                      const Sphere_mesh& sphere2, const std::vector<Vector_3d>& points2,
                                      Run_control& control, const Execution& execution)
 {
-  constexpr std::size_t min_samples = 20000; // on surfaces of a few faces
-  constexpr std::size_t block_size = 256;    // of parallel work: enough that handing it out costs nothing
+  constexpr std::size_t min_samples = 20000; // applies to surfaces with few faces
+  constexpr std::size_t block_size = 256;    // large enough that the overhead of parallel execution is negligible
   const std::vector<Linked_triangle>& triangles = sphere1.triangles();
   const auto area = [](const Triangle_edges& edges) { return 0.5 * length(cross(edges[0], edges[1])); };
   std::array<double, 2> areas = {0., 0.};
@@ -89,14 +89,14 @@ inline double mean_energy_over_first(const Sphere_mesh& sphere1, const std::vect
     areas[0] += area(scaled_edges(corners_of(t.vertices, points1), 1.));
   for(const Linked_triangle& t : sphere2.triangles())
     areas[1] += area(scaled_edges(corners_of(t.vertices, points2), 1.));
-  const double scale = std::sqrt(areas[0] / areas[1]); // of the second surface
+  const double scale = std::sqrt(areas[0] / areas[1]); // the scale of the second surface
 
   std::size_t n = 1;
   while(n * n * triangles.size() < min_samples)
     ++n;
   const std::vector<std::array<double, 3>> samples = samples_in_triangle(n);
   const double share = 1. / static_cast<double>(samples.size());
-  std::vector<std::array<double, 2>> sums(triangles.size(), {0., 0.}); // of energies and weights
+  std::vector<std::array<double, 2>> sums(triangles.size(), {0., 0.}); // sums of energies and weights
   const auto measure = [&](std::size_t begin, std::size_t end) {
     Sphere_mesh::Hint hint;
     for(std::size_t k = begin; k < end; ++k)
@@ -130,7 +130,7 @@ inline double mean_energy_over_first(const Sphere_mesh& sphere1, const std::vect
   return weight > 0. ? energy / weight : std::numeric_limits<double>::infinity();
 }
 
-// The distance of the point in a direction from a vertex.
+// The distance of the surface point in a direction from a vertex.
 inline double distance_left(const Located_surface& surface, const Vector_3d& p, std::size_t w)
 {
   Sphere_mesh::Hint hint;
@@ -142,13 +142,13 @@ inline double distance_left(const Located_surface& surface, const Vector_3d& p, 
 // The energy of a map between surfaces: the mean of both directions.
 struct Map_energy
 {
-  std::optional<double> value; // There is none once the run has been stopped.
+  std::optional<double> value; // none if the run has been stopped
   bool is_sampled = false;
-  std::optional<Distortion_between> distortion; // unless it is sampled
+  std::optional<Distortion_between> distortion; // none if the energy is sampled
 };
 
-// Measures the map that puts the vertices of the first surface at these directions of the second one's sphere: on the common
-// refinement, or by samples if that would be too large. Returns false if the map is no bijection.
+// Measures the map with these directions of the vertices of the first surface on the sphere of the second one: on the common refinement,
+// or by samples if the refinement would be too large. Returns false if the map is not bijective.
 inline bool measure_map(const Surface_pair& pair, const std::vector<Vector_3d>& directions, Map_energy& energy)
 {
   const std::vector<Vector_3d>&points1 = pair.first.points, &points2 = pair.second.points;

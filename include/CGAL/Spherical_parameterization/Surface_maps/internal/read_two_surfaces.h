@@ -35,7 +35,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// For functions of two surfaces, which compute with doubles, unless they take all that Exact_predicates_kernel does.
+// Checks the types of a function of two surfaces that computes in double precision, unless it accepts all types that
+// Exact_predicates_kernel accepts.
 template <bool takes_exact_numbers, class TriangleMesh1, class VertexSphereMap1, class TriangleMesh2,
           class VertexSphereMap2>
 constexpr bool check_pair()
@@ -53,7 +54,7 @@ constexpr bool check_pair()
   return false;
 }
 
-// Checks a call of a function of two surfaces, reads both, as Mesh_on_sphere, and returns f(first, second, control, execution).
+// Checks a call of a function of two surfaces, reads both as Mesh_on_sphere, and returns f(first, second, control, execution).
 template <class ConcurrencyTag, bool takes_exact_numbers = false, class TriangleMesh1, class VertexSphereMap1,
           class NamedParameters1, class TriangleMesh2, class VertexSphereMap2, class NamedParameters2, class Function>
 Error_code with_two_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1& map1, const NamedParameters1& np1,
@@ -78,15 +79,15 @@ Error_code with_two_surfaces(const TriangleMesh1& tmesh1, const VertexSphereMap1
     return ERROR_WRONG_PARAMETER;
 }
 
-// Takes over the arrays of a mesh that has been read.
+// Moves the arrays out of a mesh that has been read.
 template <class Arrays>
 Surface_on_sphere surface_of(Arrays& arrays)
 {
   return {std::move(arrays.points), std::move(arrays.images), std::move(arrays.triangles)};
 }
 
-// Reads features, each a pair of functions of a vertex, for the first surface (0) or the second one (1). Returns false if a
-// value is not finite.
+// Reads features, each a pair of functions of a vertex, for the first (0) or the second (1) surface. Returns false if a value is not
+// finite.
 template <std::size_t surface, class Features, class Vertices>
 bool read_features(const Features& features, const Vertices& vertices, std::vector<std::vector<double>>& channels)
 {
@@ -103,13 +104,12 @@ bool read_features(const Features& features, const Vertices& vertices, std::vect
   return true;
 }
 
-// Reads the numbers of the landmarks on one of the surfaces among its vertices. Returns false if one is not among them, or
-// there twice.
+// Reads the indices of the landmarks on one of the surfaces. Returns false if a landmark is not among its vertices, or occurs twice.
 template <std::size_t surface, class Landmarks, class Vertex>
 bool read_landmarks(const Landmarks& landmarks, const std::vector<Vertex>& vertices,
                     std::vector<std::array<std::uint32_t, 2>>& numbers)
 {
-  std::map<Vertex, std::size_t> indices; // of the landmarks
+  std::map<Vertex, std::size_t> indices; // the indices of the landmarks
   for(std::size_t k = 0; k < landmarks.size(); ++k)
     indices.emplace(std::get<surface>(landmarks[k]), k);
   numbers.resize(landmarks.size());
@@ -123,7 +123,7 @@ bool read_landmarks(const Landmarks& landmarks, const std::vector<Vertex>& verti
   return n_found == landmarks.size();
 }
 
-// Reads where a surface does not count. Returns false if it does nowhere.
+// Reads the mask of excluded vertices. Returns false if all vertices are excluded.
 template <class Function, class Vertices>
 bool read_mask(const Function& counts, const Vertices& vertices, std::vector<char>& mask)
 {

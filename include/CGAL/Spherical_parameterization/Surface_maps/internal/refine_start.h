@@ -35,12 +35,12 @@ inline Landmark_goals landmark_goals(const Surface_pair& pair)
   return goals;
 }
 
-// Lowers the energy down to the finest level. `directions`, the rotation of the start, receives the map; returns false, and
-// leaves them, if doubles cannot hold it.
+// Minimizes the energy down to the finest level. `directions` contains the rotation of the start, and receives the map. Returns false, and
+// does not change the directions, if double precision does not suffice.
 inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::vector<Vector_3d>& directions)
 {
-  // With landmarks, the descent begins with very few vertices, so that large parts can move. Without them, it begins with more: coarser
-  // levels would take apart what corresponds already.
+  // With landmarks, the descent begins with very few vertices, so that large parts can move. Without landmarks, it begins with more:
+  // coarser levels would destroy the existing correspondence.
   constexpr std::size_t min_size_with_landmarks = 60, min_size = 1000;
   const Surface_map_settings& settings = pair.settings;
   const bool is_rotation = start.alignment.directions.empty(), has_landmarks = !settings.landmarks.empty();
@@ -48,15 +48,15 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
   const Target_goals features_alone = {pair.metric, start.features, feature_weight};
   const Target_goals goals = {pair.metric, start.features, feature_weight, landmark_goals(pair)};
   const auto lower = [&](const Target_goals& all, std::size_t coarsest_size, std::vector<Vector_3d>& map) {
-    return lower_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), all, coarsest_size, Target_sweeps(), map,
-                           pair.control, pair.execution);
+    return minimize_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), all, coarsest_size, Target_sweeps(),
+                              map, pair.control, pair.execution);
   };
   std::vector<Vector_3d> lowered;
   bool is_lowered = is_rotation || start.levels->lower(start.alignment.directions, features_alone, lowered,
                                                        pair.control, pair.execution);
   if(is_rotation)
     lowered = pair.first.mesh.in_own_order(directions);
-  // Coarser levels would take apart what an earlier descent has found.
+  // Coarser levels would destroy the result of an earlier descent.
   const bool is_found =
       settings.keeps_alignment && (!settings.has_hard_landmarks() ||
                                    std::all_of(pair.landmarks.begin(), pair.landmarks.end(), [](const auto& landmark) {
@@ -70,7 +70,7 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
                                        : min_size,
                        lowered) ||
                  !is_rotation;
-  // Landmarks may be missed from a start by features where they are met from a rotation alone.
+  // A start by features may miss landmarks that a start from a rotation alone meets.
   const auto n_missed = [&](const std::vector<Vector_3d>& own_order) {
     const std::vector<Vector_3d> found = pair.first.mesh.in_callers_order(own_order);
     return std::count_if(settings.landmarks.begin(), settings.landmarks.end(), [&](const auto& landmark) {

@@ -35,23 +35,24 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Brings the cells of the vertices to the areas that they are to have, from a bijection that is near enough for steps of
-// Newton's method, see Area_step; every map on the way is a bijection. The weight of the areas grows from step to step: first
-// the large differences are levelled out, where the energy resists least, and in the end only the areas count. Where they cannot
-// be had, the differences get as small as they can be. Returns the number of steps.
+// Moves the vertices, from a bijection close enough for Newton's method, until their cells have the prescribed areas;
+// see Area_step. All intermediate maps are bijections. The weight of the areas increases from step to step: first the
+// large differences decrease where the energy resists least, and in the end only the areas matter. If the areas cannot
+// be realized, the differences become as small as possible. Returns the number of steps.
 template <class Energy>
-std::size_t lower_area_differences(const Surface& surface, const Area_shares& shares, const Energy& energy,
-                                   double tolerance, std::vector<Vector_3d>& positions, Run_control& control)
+std::size_t minimize_area_deviation(const Surface& surface, const Area_shares& shares, const Energy& energy,
+                                    double tolerance, std::vector<Vector_3d>& positions, Run_control& control)
 {
 #ifdef CGAL_EIGEN3_ENABLED
-  // The first weight makes deviations of a third count as much as the energy of usual maps, and with the last one, what the
-  // energy still does to areas is below 1e-4 on most surfaces. It grows beyond where the map has settled and that is not enough.
+  // With the first weight, deviations of a third matter as much as the energy of typical maps. With the last one, the
+  // effect of the energy on the areas is below 1e-4 on most surfaces. It increases further if the map has converged and
+  // this is not sufficient.
   constexpr double first_penalty = 10., last_penalty = 1e6, max_penalty = 1e9, growth = 10.;
   constexpr std::size_t max_attempts = 200;
   constexpr int max_halvings = 6;
   constexpr double first_damping = 1., min_damping = 1e-6, max_damping = 1e12;
-  constexpr double min_fall = 1e-4;        // of the objective in a step, relative: with less, it has settled
-  constexpr double sufficient_fall = 1e-4; // of what the slope promises
+  constexpr double min_fall = 1e-4; // of the objective in a step, relative; a smaller decrease is convergence
+  constexpr double sufficient_decrease = 1e-4; // of the decrease predicted by the slope
 
   Parameterization_report& report = control.report();
   if(!control.check_clock())
@@ -83,11 +84,11 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
           if(!are_safely_positive(surface.rings(), moved))
             continue;
           next = step.objective(moved, penalty);
-          is_found = next < value + sufficient_fall * t * step.slope();
+          is_found = next < value + sufficient_decrease * t * step.slope();
         }
       if(!is_found)
       {
-        value = step.objective(positions, penalty); // so that the ratios are those of these positions again
+        value = step.objective(positions, penalty); // so that the ratios belong to these positions again
         damping *= 16.;
         if(damping > max_damping)
           return OBSTRUCTED;
@@ -123,10 +124,10 @@ std::size_t lower_area_differences(const Surface& surface, const Area_shares& sh
 }
 
 #if defined(CGAL_SPHERICAL_PARAMETERIZATION_USE_LIBRARY) && defined(CGAL_EIGEN3_ENABLED)
-// Those by the energies of the package are in the library.
+// The library contains the instances for the energies of the package.
 #define CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(EXTERN, Energy)                                                   \
-  EXTERN template std::size_t lower_area_differences(const Surface&, const Area_shares&, const Energy&, double,        \
-                                                     std::vector<Vector_3d>&, Run_control&);
+  EXTERN template std::size_t minimize_area_deviation(const Surface&, const Area_shares&, const Energy&, double,       \
+                                                      std::vector<Vector_3d>&, Run_control&);
 CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Symmetric_Dirichlet_energy_3)
 CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Isometric_energy_3)
 CGAL_SPHERICAL_PARAMETERIZATION_AREA_DESCENT(extern, Conformal_energy_3)

@@ -35,9 +35,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The area of the spherical triangle of three points of the unit sphere, negative if it is turned over, as a function of its
-// corner x. With the determinant D of the corners and S = 1 + x.p + p.q + q.x, it is 2 atan(D / S). Both follow from differences
-// of the corners, so that small triangles keep their relative precision.
+// The area of the spherical triangle of three points of the unit sphere, negative if it is inverted, as a function of
+// its corner x. With the determinant D of the corners and S = 1 + x.p + p.q + q.x, it is 2 atan(D / S). Both are
+// computed from differences of the corners, so that the areas of small triangles have a small relative error.
 class Spherical_area
 {
 public:
@@ -51,7 +51,7 @@ public:
 
   double value() const { return 2. * arc_tangent(m_determinant, m_sum); }
 
-  // the derivative in x, without its part along x
+  // The derivative with respect to x, without its component along x.
   Vector_3d gradient(const Vector_3d& x) const
   {
     const Vector_3d of_determinant = cross(x, m_to_q - m_to_p) + m_normal; // p x q
@@ -66,7 +66,8 @@ private:
   double m_determinant, m_sum;
 };
 
-// The areas of the cells of the vertices on the unit sphere, over what is wanted: a third of the areas of their faces.
+// The ratios of the areas of the vertices' cells on the unit sphere to their prescribed areas. A cell has a third of
+// the areas of the faces at its vertex.
 inline void find_area_ratios(const Vertex_rings& rings, const std::vector<Vector_3d>& positions,
                              const std::vector<double>& wanted, std::vector<double>& ratios)
 {
@@ -81,7 +82,7 @@ inline void find_area_ratios(const Vertex_rings& rings, const std::vector<Vector
     ratios[v] /= wanted[v];
 }
 
-// The standard deviation of numbers over their mean.
+// The standard deviation of numbers divided by their mean.
 inline double relative_deviation(const std::vector<double>& values)
 {
   double sum = 0., squares = 0.;
@@ -93,16 +94,16 @@ inline double relative_deviation(const std::vector<double>& values)
   return std::sqrt(squares / static_cast<double>(values.size())) / mean;
 }
 
-// The area on the unit sphere that each part of a surface is to have, in the order of the surface. That of a vertex is a third
-// of those of its faces.
+// The prescribed areas on the unit sphere, in the order of the surface. The area of a vertex is a third of those of its
+// faces.
 struct Area_shares
 {
   std::vector<double> of_faces; // in the order of Vertex_rings::for_each_face()
   std::vector<double> of_vertices;
-  std::size_t number_of_raised_faces = 0; // whose share would be too small for their images to be told from nothing
+  std::size_t number_of_raised_faces = 0; // whose prescribed area would be too small to be represented
 };
 
-// The numbers that the faces of a surface, in the order of Vertex_rings::for_each_face(), have among the caller's triangles.
+// The indices of the faces of a surface, in the order of Vertex_rings::for_each_face(), among the caller's triangles.
 inline std::vector<std::uint32_t> callers_numbers_of_faces(const Surface& surface, const Index_triangles& triangles)
 {
   struct Key
@@ -130,9 +131,9 @@ inline std::vector<std::uint32_t> callers_numbers_of_faces(const Surface& surfac
   return result;
 }
 
-// The shares by the areas of the faces times their densities, finite and at least 0, one for each of the caller's triangles; or by
-// the areas alone, if there are none. A share below a millionth of the mean is raised to it: vertices around which all shares are
-// 0 would have no place on the sphere.
+// Computes the prescribed areas from the areas of the faces times their densities, finite and at least 0, one for each
+// of the caller's triangles; from the areas alone if there are no densities. A value below one millionth of the mean is
+// raised to it: if all faces around a vertex had the area 0, no injective map could satisfy this.
 inline Area_shares find_area_shares(const Surface& surface, const Index_triangles& triangles,
                                     const std::vector<double>& densities)
 {

@@ -37,25 +37,26 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-// Steps of all vertices on the unit sphere that bring the areas of their cells to what is wanted, and lower an energy besides:
-// steps of Newton's method, without the curvature of the areas, for
+// A step of all vertices on the unit sphere that moves the areas of their cells towards the prescribed areas and
+// decreases an energy. It is a step of Newton's method, without the second derivatives of the areas, for
 //
 //   sum of E over the faces + (mu / 2) sum over the vertices of (ratio - 1)^2,
 //
-// where a ratio is that of the area of a cell over the wanted one. The energy is that of the map from the faces as they are on the
-// surface, but scaled to the areas that they are to have, with the determinant of the corners as image area: it is infinite where
-// a face turns over. Its Hessian is made positive definite face by face. With multipliers y = mu (ratio - 1), the equations are
+// where a ratio is the area of a cell divided by the prescribed one. The energy is that of the map from the faces of
+// the surface scaled to their prescribed areas, with the determinant of the corners as image area, so that it goes to
+// infinity where a face becomes inverted. Its Hessian is made positive definite face by face. With multipliers y = mu
+// (ratio - 1), the equations are
 //
 //   ( H + tau G   J^T   ) ( x )   ( -gradient )
 //   ( J         -1 / mu ) ( y ) = ( 1 - ratio )
 //
-// which is quasi-definite, so that it has a factorisation whatever the order, and not ill-conditioned where mu is large. G says how
-// much a step changes each image relative to itself, and tau keeps that small.
+// The matrix is quasi-definite, so it has a factorization in every elimination order, and it is not ill-conditioned for
+// large mu. G measures how much a step changes each image relative to its size, and tau limits this change.
 template <class Energy>
 class Area_step
 {
 public:
-  // The rings and the areas have to last as long as this.
+  // The rings and the areas must outlive this object.
   Area_step(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const std::vector<double>& areas_of_faces,
             const std::vector<double>& areas_of_vertices, const Energy& energy)
     : m_rings(rings)
@@ -69,7 +70,7 @@ public:
     make_faces(points, areas_of_faces);
   }
 
-  // What is lowered. It may be infinite or NaN.
+  // The objective. It may be infinite or NaN.
   double objective(const std::vector<Vector_3d>& positions, double penalty)
   {
     double sum = 0.;
@@ -84,10 +85,10 @@ public:
     return sum;
   }
 
-  // the ratios at the positions that were measured last
+  // The ratios at the positions of the last measurement.
   const std::vector<double>& ratios() const { return m_ratios; }
 
-  // Finds the step. Returns false if there is none, or goes_on(), asked every few milliseconds, is false.
+  // Computes the step. Returns false if there is none, or if goes_on(), called every few milliseconds, returns false.
   template <class Goes_on>
   bool find(const std::vector<Vector_3d>& positions, double penalty, double damping, const Goes_on& goes_on)
   {
@@ -120,10 +121,10 @@ public:
     return result && m_slope < 0.;
   }
 
-  // the derivative of the objective along the step
+  // The derivative of the objective along the step.
   double slope() const { return m_slope; }
 
-  // where a part of the step leads to
+  // The positions after a fraction of the step.
   void move(const std::vector<Vector_3d>& positions, double t, std::vector<Vector_3d>& moved) const
   {
     moved.resize(positions.size());
@@ -133,10 +134,10 @@ public:
 
 private:
   using Complex = std::complex<double>;
-  static constexpr double min_curvature = 1e-3; // of the energy in the Jacobian of a face, where isometric faces have 8
+  static constexpr double min_curvature = 1e-3; // of the energy in the Jacobian of a face; 8 for an isometric face
 
-  // A linear map z -> a z + b conj(z) + c of the triangle in the plane has a = sum of gradient_i * (image of corner i), and b the
-  // same with conjugate gradients. Its invariants are I = 2 (|a|^2 + |b|^2) and d = |a|^2 - |b|^2.
+  // A linear map z -> a z + b conj(z) + c of the triangle in the plane has a = sum of gradient_i * (image of corner i),
+  // and b is the same sum with conjugate gradients. Its invariants are I = 2 (|a|^2 + |b|^2) and d = |a|^2 - |b|^2.
   using Gradients = std::array<Complex, 3>;
   static Gradients gradients(const std::array<Complex, 3>& corners, double doubled_area)
   {
@@ -187,13 +188,13 @@ private:
 
     std::array<Vector_3d, 3> corners;
     std::array<Vector_3d, 2> axes;
-    std::array<Complex, 3> flat; // the corners in the plane, less the first one
+    std::array<Complex, 3> flat; // the corners in the plane, relative to the first one
     double doubled_area, determinant, factor;
     Complex a, b;
     double i, d;
   };
 
-  // Neither the tests for NaN that the language asks for, nor what a standard library makes of them.
+  // A product without the tests for NaN that the language requires and without differences between standard libraries.
   static Complex times(const Complex& x, const Complex& y)
   {
     return Complex(x.real() * y.real() - x.imag() * y.imag(), x.real() * y.imag() + x.imag() * y.real());
@@ -213,7 +214,7 @@ private:
       const Rest_triangle rest = Rest_triangle::from_points(points[a], points[b], points[c]);
       const double cotangent_0 = rest.opposite_0 / rest.inverse_doubled_area,
                    cotangent_1 = rest.opposite_1 / rest.inverse_doubled_area;
-      // corner 2 is above a base that its height divides as the cotangents say
+      // Corner 2 is above the base, which its height divides in proportion to the cotangents.
       const double base = std::sqrt(2. * area * (cotangent_0 + cotangent_1)), height = 2. * area / base;
       Face face;
       face.vertices = {a, b, c};
@@ -233,8 +234,8 @@ private:
     const Image image(face, positions);
     const Energy_derivatives_3<double> e = m_energy.derivatives(image.i, image.d);
 
-    // In the Jacobian, the energy has one pair of eigenvectors that change p = |a| and q = |b|, with
-    // I = 2 (p^2 + q^2) and d = p^2 - q^2, and two that change only the arguments of a and b.
+    // In the Jacobian, the energy has one pair of eigenvectors that changes p = |a| and q = |b|, with I = 2 (p^2 + q^2)
+    // and d = p^2 - q^2, and two eigenvectors that change only the arguments of a and b.
     const double p2 = 0.5 * (0.5 * image.i + image.d);
     const double q2 = (std::max)(0.5 * (0.5 * image.i - image.d), 1e-12 * p2);
     const double p = std::sqrt(p2), q = std::sqrt(q2);
@@ -300,7 +301,7 @@ private:
     }
   }
 
-  // Raises the eigenvalues of a symmetric matrix where they are below the minimum.
+  // Raises the eigenvalues of a symmetric matrix that are below the minimum.
   static void make_positive(double& pp, double& pq, double& qq)
   {
     const double mean = 0.5 * (pp + qq), half = 0.5 * (pp - qq), radius = hypotenuse(half, pq);
@@ -314,7 +315,7 @@ private:
     pq = scale * sine;
   }
 
-  // The cell of a vertex changes with its neighbours only: they bound what its faces cover.
+  // The area of a vertex's cell changes with its neighbors only: they are the boundary of its faces.
   void add_areas(std::uint32_t v, const std::vector<Vector_3d>& positions, double penalty)
   {
     m_equations.diagonal(v, 2, 2) = -1. / penalty;

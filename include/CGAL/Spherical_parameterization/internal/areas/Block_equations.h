@@ -29,8 +29,8 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-// The equations of a step of all vertices: a symmetric matrix of 3 x 3 blocks, one for each vertex and for each edge, for two
-// coordinates and a multiplier. The vertices are eliminated in an order of least fill.
+// The equations of a step of all vertices: a symmetric matrix of 3 x 3 blocks, one for each vertex and for each edge,
+// for two coordinates and a multiplier. The elimination order reduces fill-in.
 class Block_equations
 {
 public:
@@ -45,20 +45,20 @@ public:
     std::fill(right_side.begin(), right_side.end(), 0.);
   }
 
-  // the first of three rows of a vertex
+  // The first of the three rows of a vertex.
   std::size_t row(std::size_t v) const { return 3 * std::size_t(m_order[v]); }
 
-  // row i >= j, column j of the block of a vertex
+  // Row i >= j, column j of the block of a vertex.
   double& diagonal(std::size_t v, std::size_t i, std::size_t j) { return m_matrix.values[m_diagonals[v][j] + i]; }
 
-  // the entry in row i of the first vertex of a corner (v, w) and column j of the second one, or its mirror image
+  // The entry in row i of the first vertex of a corner (v, w) and column j of the second one, or its mirror image.
   double& entry(std::size_t corner, std::size_t i, std::size_t j)
   {
-    const Pair& pair = m_pairs[corner]; // with the columns of the one that is eliminated first
+    const Pair& pair = m_pairs[corner]; // with the columns of the vertex that is eliminated first
     return m_matrix.values[pair.is_transposed ? pair.columns[j] + i : pair.columns[i] + j];
   }
 
-  // Returns false if the matrix has no factorization, or goes_on(), asked every few milliseconds, is false.
+  // Returns false if the matrix has no factorization, or if goes_on(), called every few milliseconds, returns false.
   template <class Goes_on>
   bool solve(std::vector<double>& solution, const Goes_on& goes_on)
   {
@@ -89,7 +89,8 @@ private:
       }
     });
 
-    // The columns of a block: its vertex, and then those of its neighbours that come later, in increasing order.
+    // The columns of a block: those of its vertex, then those of its neighbors that are eliminated later, in increasing
+    // order.
     std::vector<std::uint32_t> vertices(m_order.size());
     for(std::uint32_t v = 0; v < m_order.size(); ++v)
       vertices[m_order[v]] = v;
@@ -111,7 +112,7 @@ private:
       for(std::size_t column = 0; column < 3; ++column)
       {
         const std::size_t start = rows.size();
-        m_diagonals[v][column] = start - column; // of row 0, which the lower triangle may not have
+        m_diagonals[v][column] = start - column; // of row 0, which the lower triangle may not contain
         for(std::size_t i = column; i < 3; ++i)
           rows.push_back(static_cast<std::uint32_t>(row(v) + i));
         for(std::size_t k = 0; k < later.size(); ++k)

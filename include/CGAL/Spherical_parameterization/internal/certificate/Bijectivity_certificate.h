@@ -30,21 +30,21 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What exact predicates say about a closed triangle mesh around the origin.
+// The result of exact predicates on a closed triangle mesh around the origin.
 //
 // Theorem. Let the vertices of a closed oriented triangle mesh M have images other than the origin, and let every face
 // be mapped to the spherical triangle of its images. If every face is positive, i.e. det(a, b, c) > 0, and if a point
 // of the sphere on the image of no edge lies in exactly one face, then the map is a homeomorphism, and M is a sphere.
 //
-// Proof. A positive face is mapped one-to-one, with its orientation. The two faces of an edge lie on different sides of
-// it, so the map is a local homeomorphism there. The faces around a vertex v turn around its image in one sense, each
-// by an angle in (0, pi), and close up after k_v >= 1 full turns: the map is z -> z^k_v near v. So M is a branched
-// covering of the sphere, and every point that is no image of an edge or vertex has the same number of preimages, the
-// degree. If it is 1, then M is connected, since every component covers the sphere on its own, no k_v exceeds 1, since
-// the points next to the image of v have k_v preimages near v, and a covering of degree 1 is a homeomorphism.
+// Proof. A positive face is mapped injectively, with its orientation. The two faces of an edge lie on different sides
+// of it, so the map is a local homeomorphism there. The faces around a vertex v turn around its image in one sense,
+// each by an angle in (0, pi), and close up after k_v >= 1 full turns: the map is z -> z^k_v near v. So M is a branched
+// covering of the sphere, and all points that are not images of an edge or vertex have the same number of preimages,
+// the degree. If it is 1, then M is connected, since every component covers the sphere on its own, no k_v exceeds 1,
+// since the points near the image of v have k_v preimages near v, and a covering of degree 1 is a homeomorphism.
 //
-// Positive faces alone do not suffice: a star can wind around its centre twice (k_v = 2), and two such stars
-// with what lies between them cover the sphere twice.
+// Positive faces alone are not sufficient: a star can wind around its center twice (k_v = 2), and two such stars
+// together with the faces between them cover the sphere twice.
 struct Bijectivity_certificate
 {
   std::size_t number_of_non_positive_faces = 0; // faces that are inverted or degenerate, or have no finite image
@@ -53,7 +53,7 @@ struct Bijectivity_certificate
   bool is_bijective() const { return number_of_non_positive_faces == 0 && degree == 1; }
 };
 
-// counts the triangles for which `is_counted(t)`.
+// Counts the triangles for which `is_counted(t)`.
 template <class Triangles, class Predicate>
 std::size_t count_triangles(Execution execution, const Triangles& triangles, const Predicate& is_counted)
 {
@@ -67,11 +67,11 @@ std::size_t count_triangles(Execution execution, const Triangles& triangles, con
   return result;
 }
 
-// computes the certificate in linear time and, sequentially, without allocating memory; in parallel only if the
-// coordinates are doubles: copies of an exact number may share mutable state.
+// Computes the certificate in linear time and, sequentially, without allocating memory; in parallel only if the
+// coordinates are of type double, because copies of exact numbers may share mutable state.
 //
-// `K` is a kernel with exact predicates, `points` a random-access range of its points, `triangles` one of triples of
-// indices into it: a closed mesh, all triangles oriented alike. Points that no triangle uses are not looked at.
+// `K` is a kernel with exact predicates, `points` a random-access range of its points, `triangles` a range of index
+// triples: a closed mesh whose triangles are oriented consistently. Points that no triangle uses are ignored.
 template <class K, class Points, class Triangles>
 Bijectivity_certificate certify_bijectivity(const Points& points, const Triangles& triangles, Execution execution)
 {
@@ -87,14 +87,14 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   if(certificate.number_of_non_positive_faces != 0)
     return certificate;
 
-  // The directions (1, x, x^2) lie on a curve that meets any plane through the origin twice at most: whatever the mesh,
-  // no more than two of them are lost per edge, and in practice the first one does. With x = k / 2^20 and k < 2^26 they
-  // are exact in double precision.
+  // The directions (1, x, x^2) lie on a curve that meets any plane through the origin at most twice. So for any mesh,
+  // at most two of them are unsuitable per edge, and in practice the first one is suitable. With x = k / 2^20 and k <
+  // 2^26 they are exact in double precision.
   for(double k = 742913.; k < 0x1p26; ++k)
   {
     const double x = k * 0x1p-20;
     const typename K::Point_3 q{FT(1.), FT(x), FT(x * x)};
-    std::atomic<bool> is_generic(true); // on the boundary of no cone that contains it
+    std::atomic<bool> is_generic(true); // not on the boundary of a cone that contains it
     certificate.degree = count_triangles(execution, triangles, [&](const auto& t) {
       bool is_on_boundary = false;
       for(std::size_t i = 0; i < 3; ++i)
@@ -115,7 +115,7 @@ Bijectivity_certificate certify_bijectivity(const Points& points, const Triangle
   return certificate;
 }
 
-// Whether points on the sphere make a bijection of a closed triangle mesh.
+// Whether points on the sphere define a bijection of a closed triangle mesh.
 inline bool are_bijective(const Index_triangles& triangles, const std::vector<Vector_3d>& points,
                           const Execution& execution)
 {

@@ -51,8 +51,8 @@ public:
   }
 
 private:
-  // An exact number cannot be infinite, but a lazy one that was made from an infinite double or from NaN must not be
-  // evaluated. Its interval shows it. A finite number beyond the range of doubles has one finite end.
+  // An exact number cannot be infinite, but a lazy one that was made from infinity or NaN must not be evaluated. Its
+  // interval reveals it. A finite number beyond the range of double has one finite end.
   static bool is_finite(const FT& x)
   {
     const std::pair<double, double> interval = CGAL::to_interval(x);
@@ -69,9 +69,9 @@ private:
   Point_3 m_origin{ORIGIN};
 };
 
-// The kernel in which Orientation_about_origin_3 decides exactly about points of `Kernel`, and the conversion of a
-// point to it, which never rounds. Coordinates of type double or float become those of one kernel with double, whatever
-// their own kernel is; exact number types stay where they are.
+// The kernel in which Orientation_about_origin_3 makes exact decisions about points of `Kernel`, and the conversion of
+// a point to it, which never rounds. Coordinates of type double or float are converted to one kernel with double,
+// whatever their own kernel is; exact number types are not converted.
 template <class Kernel>
 struct Exact_predicates_kernel
 {

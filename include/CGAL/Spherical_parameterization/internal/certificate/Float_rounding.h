@@ -35,24 +35,25 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// whether the coordinates of floats next to a point have all of their digits, and none is infinite
+// Whether floats near the coordinates of a point have full precision and are finite.
 inline bool has_normal_floats(const Vector_3d& p)
 {
   const double max = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   return is_finite(p) && max >= (std::numeric_limits<float>::min)() && max < 0.5 * (std::numeric_limits<float>::max)();
 }
 
-// Rounds the points of a one-to-one map to points whose coordinates are floats, one-to-one as well.
+// Rounds the points of a bijective map to points with float coordinates that define a bijective map as well.
 //
-// All points go to the nearest ones. The corners of a face that folds by that get their own points back, until no face
-// folds: at worst all corners have them, as in the map that was given. They are open. From then on every face is
-// positive, whatever is done: an open vertex is closed if one of the nearest floats lies in the kernel of its star.
-// Where none does, its faces are smaller than what floats tell apart. Then its neighbours are opened as well, and open
-// vertices make their smallest faces higher, until there is room. A vertex is moved no further than that takes.
+// All points are rounded to nearest. The corners of a face that this inverts get their original points back, until no
+// face is inverted; in the worst case, these are all corners, as in the given map. Such vertices are open. From then on
+// all faces stay positive. An open vertex is closed if one of the nearest float points lies in the kernel of its star.
+// If none does, its faces are smaller than the resolution of floats. Then its neighbors are opened as well, and open
+// vertices move to increase the heights of their smallest faces, until there is room. A vertex moves no farther than
+// necessary.
 class Float_rounding
 {
 public:
-  // `points` are those of a map that is one-to-one, in the range of floats.
+  // `points` are those of a bijective map, in the range of float.
   Float_rounding(const Index_triangles& triangles, std::vector<Vector_3d> points)
     : m_triangles(triangles)
     , m_given(std::move(points))
@@ -60,22 +61,22 @@ public:
     , m_is_open(m_given.size(), false)
   {}
 
-  // Returns whether all points are floats at the end, all faces positive.
+  // Returns whether finally all points have float coordinates and all faces are positive.
   //
-  // It is linear in the size of the mesh, with a factor of some nanoseconds if no face folds, and no more than
-  // `max_visits_of_vertex` visits of a vertex, some 50 microseconds each, if they do all over.
+  // The running time is linear in the size of the mesh, a few nanoseconds per vertex if no face is inverted, plus at
+  // most `max_visits_of_vertex` visits per vertex of about 50 microseconds each if faces are inverted everywhere.
   bool run()
   {
     std::transform(m_given.begin(), m_given.end(), m_points.begin(), [](const Vector_3d& p) { return rounded(p); });
     for(const Triangle& t : m_triangles)
       if(!is_positive(t))
-        m_folded.push_back(t);
-    m_number_of_folded_faces = m_folded.size();
-    if(m_folded.empty())
+        m_inverted.push_back(t);
+    m_number_of_folded_faces = m_inverted.size();
+    if(m_inverted.empty())
       return true;
     if(!build_rings(link_triangles(m_triangles, m_points.size()), m_points.size(), m_rings))
       return false;
-    open_folded_faces();
+    open_inverted_faces();
     std::size_t n_visits = max_visits_of_vertex * m_points.size() + max_further_visits;
     for(;;)
     {
@@ -95,10 +96,10 @@ public:
 
   const std::vector<Vector_3d>& points() const { return m_points; }
 
-  // of the nearest points
+  // The number of faces that rounding to nearest inverts.
   std::size_t number_of_folded_faces() const { return m_number_of_folded_faces; }
 
-  // how far apart points with coordinates of floats are, next to one of them
+  // The distance between adjacent points with float coordinates near p.
   static double spacing(const Vector_3d& p)
   {
     return std::ldexp(1., exponent_of_unit((std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])})));
@@ -109,11 +110,11 @@ private:
   using K = Exact_predicates_inexact_constructions_kernel;
 
   static constexpr std::size_t n_sweeps = 8;              // that make room before floats are tried again
-  static constexpr std::size_t max_visits_of_vertex = 20; // on average, which few meshes have any of
+  static constexpr std::size_t max_visits_of_vertex = 20; // on average; few meshes need any
   static constexpr std::size_t max_further_visits = 50000;
-  static constexpr double enough = 8.; // spacings of floats: the height of a face that their rounding does not endanger
+  static constexpr double enough = 8.; // spacings of floats: the height of a face that rounding cannot invert
 
-  // of the unit in the last place of the float next to x
+  // The exponent of the unit in the last place of the float closest to x.
   static int exponent_of_unit(double x)
   {
     int exponent = 0;
@@ -122,7 +123,7 @@ private:
     return (std::max)(exponent, Limits::min_exponent) - Limits::digits;
   }
 
-  // The next float. It is not found by a conversion to that type and back, which GCC 12 takes out of vectorized code.
+  // Rounds to the nearest float, without a conversion to float and back, which GCC 12 removes from vectorized code.
   static double rounded(double x)
   {
     const int exponent = exponent_of_unit(x);
@@ -139,7 +140,7 @@ private:
 
   bool is_positive(const Triangle& t) const { return is_positive(m_points[t[0]], m_points[t[1]], m_points[t[2]]); }
 
-  // calls f(p, q) for the edges that are opposite to a vertex, while it returns true
+  // Calls f(p, q) for the edges that are opposite to a vertex, as long as it returns true.
   template <class Function>
   bool for_link(std::uint32_t v, const Function& f) const
   {
@@ -155,7 +156,8 @@ private:
     return for_link(v, [&](std::uint32_t p, std::uint32_t q) { return is_positive(x, m_points[p], m_points[q]); });
   }
 
-  // The smallest height of the faces of a vertex at x, but no more than `max`; something below `min` if it is less than that.
+  // The smallest height of the faces of a vertex at x, limited to `max`; any value below `min` if it is smaller than
+  // `min`.
   double smallest_height(std::uint32_t v, const Vector_3d& x, double min, double max) const
   {
     double result = max;
@@ -175,13 +177,13 @@ private:
     m_open.push_back(v);
   }
 
-  // gives vertices their own points back until no face folds
-  void open_folded_faces()
+  // Resets vertices to their original points until no face is inverted.
+  void open_inverted_faces()
   {
-    while(!m_folded.empty())
+    while(!m_inverted.empty())
     {
-      const Triangle t = m_folded.back();
-      m_folded.pop_back();
+      const Triangle t = m_inverted.back();
+      m_inverted.pop_back();
       if(is_positive(t))
         continue;
       for(const std::uint32_t v : t)
@@ -190,7 +192,7 @@ private:
           open(v);
           m_points[v] = m_given[v];
           for_link(v, [&](std::uint32_t p, std::uint32_t q) {
-            m_folded.push_back({v, p, q});
+            m_inverted.push_back({v, p, q});
             return true;
           });
         }
@@ -208,8 +210,8 @@ private:
     std::sort(m_open.begin(), m_open.end());
   }
 
-  // Moves a vertex to a point of floats, the one with the highest faces of those around, the nearest one of several. Returns
-  // whether there is any.
+  // Moves a vertex to a float point nearby: the one with the largest minimum height of its faces, and the nearest one
+  // of equals. Returns whether there is one.
   bool close(std::uint32_t v)
   {
     const Vector_3d x = m_points[v];
@@ -229,7 +231,8 @@ private:
     return !m_is_open[v];
   }
 
-  // moves an open vertex at its distance from the origin such that its lowest face gets higher, but for what is high enough
+  // Moves an open vertex, at constant distance from the origin, to increase the height of its lowest face, unless that
+  // is sufficient.
   void make_room(std::uint32_t v)
   {
     constexpr int n_halvings = 24;
@@ -240,7 +243,7 @@ private:
       return;
     for(const std::uint32_t w : m_rings.ring(v))
       step = (std::max)(step, length(m_points[w] - x));
-    step = (std::min)(step, max); // further away there is room anyway
+    step = (std::min)(step, max); // farther away there is room anyway
     const Basic_tangent_frame<double> frame((1. / radius) * x);
     constexpr double root = 0.7071067811865476;
     constexpr std::array<std::array<double, 2>, 8> compass = {
@@ -263,7 +266,7 @@ private:
     }
   }
 
-  // the places of a cube around 0, the nearest ones first
+  // The integer points of a cube around 0, the nearest ones first.
   static std::vector<Vector_3d> cube()
   {
     constexpr int size = 2;
@@ -281,7 +284,7 @@ private:
   std::vector<Vector_3d> m_given, m_points;
   std::vector<bool> m_is_open;
   Vertex_rings m_rings;
-  std::vector<Triangle> m_folded;
+  std::vector<Triangle> m_inverted;
   std::vector<std::uint32_t> m_open; // in ascending order
   std::vector<Vector_3d> m_offsets = cube();
   std::size_t m_number_of_folded_faces = 0;

@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-// Where the compiler may change the value of floating-point expressions, or assume that all numbers are finite, the
+// If the compiler may change the values of floating-point expressions, or assume that all numbers are finite, the
 // filter below proves nothing.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST) ||                                  \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -32,35 +32,34 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The exact sign of det(a, b, c), whose coordinates are finite, by integer arithmetic: about a microsecond for points
-// whose coordinates are of similar size. It depends neither on the rounding mode nor on what a compiler was allowed to
-// do to floating-point arithmetic, nor on whether the processor flushes subnormal numbers to zero.
+// The exact sign of det(a, b, c), with finite coordinates, by integer arithmetic: about a microsecond for points whose
+// coordinates are of similar size. It depends neither on the rounding mode nor on compiler options for floating-point
+// arithmetic, nor on whether the processor flushes subnormal numbers to zero.
 Sign exact_determinant_sign(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c);
 
-// The exact sign of det(a, b, c): POSITIVE if the triangle abc turns counterclockwise as seen from outside of a sphere
-// around the origin. A triangle with a coordinate that is not finite has no orientation: ZERO.
+// The exact sign of det(a, b, c): POSITIVE if the triangle abc is counterclockwise as seen from outside a sphere around
+// the origin. A triangle with a coordinate that is not finite has no orientation: ZERO.
 //
-// Coordinates of type double are decided by a floating-point filter and, where it fails, by integer arithmetic: the
-// answer is right whatever the compiler was allowed to do. For any other `K`, a kernel with exact predicates, those are
-// asked.
+// Coordinates of type double are decided by a floating-point filter and, if it fails, by integer arithmetic: the result
+// is correct with any compiler options. For any other `K`, a kernel with exact predicates, its predicates decide.
 template <class K, class FT = typename K::FT>
-class Orientation_about_origin_3; // of exact numbers: in Exact_predicates_kernel.h
+class Orientation_about_origin_3; // for exact numbers: in Exact_predicates_kernel.h
 
-// The filter evaluates det(a, b - a, c - a), which is the same number, and whose rounding errors shrink with the
-// triangle: the small triangles of a fine mesh on a sphere, whose determinants fall below what a filter on det(a, b, c)
-// can tell from 0, pass as well; only needles do not.
+// The filter evaluates det(a, b - a, c - a), which is the same number, and whose rounding errors decrease with the size
+// of the triangle. So it succeeds also for the small triangles of a fine mesh on a sphere, whose determinants are below
+// the error bound of a filter on det(a, b, c); it fails only for needles.
 //
-// Why it is right. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d be
-// the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
-// product in the computed determinant D carries at most seven factors (1 + x) with |x| <= e: two differences, two
+// Proof of correctness. Let e = 2^-52, an upper bound of the relative error of an operation in any rounding mode, let d
+// be the exact determinant and p the exact sum of the absolute values of its six products. Ignoring underflow, each
+// product in the computed determinant D has at most seven factors (1 + x) with |x| <= e: two differences, two
 // multiplications, the difference of the cross product and two additions; fewer if the compiler contracts a
 // multiplication and an addition. The same holds for the computed P of p, whose terms are all positive. Thus
 //   |D - d| <= ((1 + e)^7 - 1) p    and    p <= P / (1 - e)^7,    hence    |D - d| <= 7 (1 + 15 e) e P < 8 e P.
-// Underflow, even if the processor takes subnormal operands and results for 0, changes each operand and each result by
-// less than 2^-1022. Let m be 1 and the sum of the absolute values of a, b - a and c - a. What is multiplied is at most
-// m and m^2, so what underflow adds to D and P, in less than 2^7 places, is less than 2^-1014 m^2, which is below
-// 2^-1000 m^2 by far even with all rounding errors. Nothing overflows, in any rounding mode, as m is bounded; nor is
-// the bound met by coordinates that are not finite.
+// Underflow, even if the processor replaces subnormal operands and results by 0, changes each operand and each result
+// by less than 2^-1022. Let m be the sum of 1 and the absolute values of a, b - a and c - a. The factors of products
+// are at most m and m^2, so underflow, in fewer than 2^7 operations, adds less than 2^-1014 m^2 to D and P, which is
+// far below 2^-1000 m^2 even with all rounding errors. Nothing overflows, in any rounding mode, because m is bounded;
+// and coordinates that are not finite do not satisfy this bound.
 template <class K>
 class Orientation_about_origin_3<K, double>
 {
@@ -95,7 +94,7 @@ private:
   static Sign filtered(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
   {
 #ifdef __clang__
-#pragma clang fp reassociate(off) // Clang defines no macro that tells of -fassociative-math alone.
+#pragma clang fp reassociate(off) // Clang defines no macro for -fassociative-math alone.
 #endif
     const double px = b[0] - a[0], py = b[1] - a[1], pz = b[2] - a[2];
     const double qx = c[0] - a[0], qy = c[1] - a[1], qz = c[2] - a[2];
@@ -116,7 +115,7 @@ private:
 #endif
 };
 
-// Points as the package has them, about which Orientation_about_origin_3 decides as about those of a kernel with doubles.
+// The point type of the package; Orientation_about_origin_3 decides as for points of a kernel with double coordinates.
 struct Double_points
 {
   using FT = double;

@@ -30,11 +30,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// An integer of any size; those that a determinant of coordinates of similar size needs are kept without allocation.
+// An arbitrary-precision integer; those for determinants of coordinates of similar size are stored without allocation.
 using Determinant_integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>>;
 
-// A positive multiple of `p`, whose coordinates are finite, with integer coordinates. It is taken from the bits: no
-// floating-point operation is involved.
+// A positive multiple of `p`, whose coordinates are finite, with integer coordinates. They are extracted from the bits,
+// without floating-point operations.
 inline std::array<Determinant_integer, 3> integer_multiple(const Vector_3d& p)
 {
   std::array<std::int64_t, 3> mantissas;

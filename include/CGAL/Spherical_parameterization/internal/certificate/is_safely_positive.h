@@ -26,10 +26,11 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Whether a face on the unit sphere whose determinant was computed from offsets stays positive when its corners are
-// rounded to doubles, in normalising them there and in scaling them to the final radius later. Both move a corner by
-// less than 6 * 2^-53 in sum, and so the determinant by less than that times the opposite edge. For three corners
-// this is less than 18 * 2^-53 * sqrt(2 * sum_of_squared_edges), as no edge is longer than the two others together; the
-// bound leaves a factor of 5. `sum_of_squared_edges` is that of two edges of the face.
+// rounded in double precision, both when they are normalized and when they are scaled to the final radius later. In
+// total, this moves a corner by less than 6 * 2^-53, and so changes the determinant by less than this number times the
+// opposite edge. For three corners, this is less than 18 * 2^-53 * sqrt(2 * sum_of_squared_edges), because no edge is
+// longer than the sum of the two others; the bound leaves a factor of 5. `sum_of_squared_edges` is that of two edges of
+// the face.
 template <class FT>
 auto is_safely_positive(const FT& determinant, const FT& sum_of_squared_edges)
 {
@@ -37,14 +38,14 @@ auto is_safely_positive(const FT& determinant, const FT& sum_of_squared_edges)
   return determinant > 0. && determinant * determinant > margin * margin * sum_of_squared_edges;
 }
 
-// the same of the face with these corners on the unit sphere
+// The same for the face with these corners on the unit sphere.
 inline bool is_safely_positive(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c)
 {
   const Vector_3d ab = b - a, ac = c - a;
   return is_safely_positive(dot(a, cross(ab, ac)), squared_length(ab) + squared_length(ac));
 }
 
-// the same of all faces of a mesh
+// The same for all faces of a mesh.
 inline bool are_safely_positive(const Vertex_rings& rings, const std::vector<Vector_3d>& positions)
 {
   bool result = true;

@@ -39,8 +39,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The vertices of a mesh grouped by the colours of a greedy colouring: no two vertices of a set are neighbours, so all
-// of a set may move at once. Within a set the vertices are in increasing order.
+// The vertices of a mesh grouped by the colors of a greedy coloring: no two vertices of a set are neighbors, so all
+// vertices of a set may move at once. Within a set, the vertices are in increasing order.
 struct Independent_sets
 {
   Independent_sets() = default;
@@ -48,7 +48,7 @@ struct Independent_sets
     : vertices(rings.number_of_vertices())
   {
     const std::size_t n = vertices.size();
-    std::vector<std::size_t> colors(n), last_neighbor; // of the colours: the last vertex that had to avoid each
+    std::vector<std::size_t> colors(n), last_neighbor; // for each color: the last vertex that could not use it
     for(std::size_t v = 0; v < n; ++v)
     {
       for(const std::uint32_t w : rings.ring(v))
@@ -69,18 +69,18 @@ struct Independent_sets
       vertices[next[colors[v]]++] = static_cast<std::uint32_t>(v);
   }
 
-  // set k is vertices[first[k]], ..., vertices[first[k + 1] - 1]
+  // Set k is vertices[first[k]], ..., vertices[first[k + 1] - 1].
   std::vector<std::uint32_t> vertices;
   std::vector<std::size_t> first;
 };
 
-// Block coordinate descent on the positions of the vertices of a mesh on the unit sphere: each sweep moves every
-// vertex once, one independent set after the other, the vertices of a set in parallel. Every face that is positively
-// oriented before a sweep is so after it.
+// Block coordinate descent on the positions of the vertices of a mesh on the unit sphere: each sweep moves every vertex
+// once, one independent set after the other, and the vertices of a set in parallel. Every face that is positively
+// oriented before a sweep is positively oriented after it.
 //
-// What is lowered is a matter of the space that the vertices move on: the round sphere, see Round_sphere, or that of another
-// surface, see Target_sphere. It moves the vertex of a star, or those of several at once in lanes, measures the image of a
-// face, and has the energy of what it has measured.
+// The minimized energy depends on the space in which the vertices move: the round sphere, see Round_sphere, or that of
+// another surface, see Target_sphere. The space moves the vertex of a star, or those of several stars at once in lanes,
+// measures the image of a face, and evaluates its energy.
 template <class Space, class Step>
 class Block_coordinate_descent
 {
@@ -94,9 +94,9 @@ public:
 
   Space& space() { return m_space; }
 
-  // Takes over a mesh, whose rings have to last until the next one; measurements and the focus are void then. `points`
-  // are those of the surface, scaled such that its area is 4 pi. If `densities` are given, one for each vertex, a face
-  // gets the shape that it has on the surface but as many times its area as the mean of the densities of its vertices.
+  // Sets the mesh, whose rings must be valid until the next call; measurements and the focus are then invalid. `points`
+  // are those of the surface, scaled to the area 4 pi. If `densities` are given, one for each vertex, a face keeps its
+  // shape on the surface, but its area is multiplied by the mean density of its vertices.
   void assign(const Vertex_rings& rings, const Independent_sets& sets, const std::vector<Vector_3d>& points,
               const std::vector<double>& densities, const Rest_limits& limits)
   {
@@ -104,13 +104,13 @@ public:
     m_stars.assign(sets.vertices, sets.first, [&](std::uint32_t v) { return rings.degree(v); });
     set_stars(points, densities, limits);
     m_places.resize(rings.number_of_vertices());
-    for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // the first place of each is its own
+    for(std::size_t place = m_stars.number_of_places(); place-- > 0;) // a vertex has the first of its slots
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
     m_faces.assign(m_stars, m_places, rings.number_of_faces(), m_execution);
   }
 
-  // Makes room for a mesh with so many vertices, so that it and the smaller ones that come before it use the same
-  // memory, but for stars that do not fit together well. Nothing of it is touched before it is needed.
+  // Reserves memory for a mesh with this number of vertices, so that it and the smaller meshes before it use the same
+  // memory, except for irregular packets of stars. The memory is not touched before it is used.
   void reserve(std::size_t n_vertices)
   {
     m_stars.reserve(n_vertices);
@@ -124,15 +124,16 @@ public:
     move_all(m_stars, positions, radius, objective, m_step);
   }
 
-  // The same, and then, if few faces are much worse than the others, moves those around them some times more. One thread
-  // looks for these faces, while the others have begun with the sweep. `largest_energy` was measured last.
+  // The same, and then, if few faces are much worse than the others, sweeps over the vertices around them several
+  // times. One thread finds these faces, while the others start the sweep. `largest_energy` is that of the last
+  // measurement.
   void sweep_with_focus(std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
                         double largest_energy)
   {
     const std::size_t max_focus =
-        static_cast<std::size_t>(focus_share * static_cast<double>(m_rings->number_of_corners())) / min_focus_sweeps;
-    std::size_t focus = 0; // the faces of its stars
-    // Another thread, whose allocator may have a heap of its own, is to allocate hardly anything for them.
+        static_cast<std::size_t>(focus_fraction * static_cast<double>(m_rings->number_of_corners())) / min_focus_sweeps;
+    std::size_t focus = 0; // the number of faces of its stars
+    // Another thread, whose allocator may have a heap of its own, should hardly allocate any memory for them.
     m_focus.reserve(max_focus / 6);
     m_selected.reserve(max_focus / 6);
     m_is_selected.reserve(m_rings->number_of_vertices());
@@ -147,9 +148,9 @@ public:
     }
   }
 
-  // Selects the vertices of the faces whose energy was above `bound` when they were last measured, and their neighbours,
-  // unless their stars have more than `max` faces in all, which is what a sweep over them takes. Returns this number,
-  // or some number above `max`.
+  // Selects the vertices of the faces whose energy was above `bound` in the last measurement, and their neighbors,
+  // unless their stars have more than `max` faces in total, the cost of a sweep over them. Returns this number, or a
+  // number above `max`.
   std::size_t focus_on_faces_above(double bound, std::size_t max)
   {
     m_is_selected.resize(m_rings->number_of_vertices(), 0);
@@ -198,21 +199,21 @@ public:
     move_all(m_focus, positions, radius, objective, m_step);
   }
 
-  // Measures all faces on the sphere of radius `radius`, by the areas of the objective or flat ones.
+  // Measures all faces on the sphere of radius `radius`, by the areas of the objective or by flat areas.
   Energy_summary measure(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
                          bool are_flat = false)
   {
     return m_faces.measure(m_space, m_stars, positions, radius, objective, m_execution, are_flat);
   }
 
-  // The same for another radius or objective, without a look at the positions.
+  // The same for another radius or objective, without reading the positions.
   Energy_summary summary(double radius, const Face_objective& objective)
   {
     return m_faces.summary(m_space, m_stars, radius, objective, m_execution);
   }
 
-  // The Newton step for the logarithm of the radius, by which the sum over all faces falls, at most by a factor of 1.35 far from
-  // the minimum; 0 where all terms cancel up to rounding, as for an energy without scale.
+  // The Newton step for the logarithm of the radius, which decreases the sum over all faces; it changes the radius by a
+  // factor of at most 1.35. It is 0 if all terms cancel up to rounding error, as for a scale-invariant energy.
   double radius_step(double radius, const Face_objective& objective) const
   {
     constexpr double max_step = 0.3, rounding = 1e-14;
@@ -227,14 +228,14 @@ public:
     return m_faces.radius_derivatives(m_space, m_stars, radius, objective, m_execution);
   }
 
-  // the stars of the mesh, and its faces as they were measured last
+  // The stars of the mesh, and its faces as of the last measurement.
   const Star_packets& stars() const { return m_stars; }
   const Measured_faces& measured_faces() const { return m_faces; }
 
-  // Whether all faces are positive at these positions, and as safely as sweeps keep them.
+  // Whether all faces are positively oriented at these positions, with the safety margin of sweeps.
   bool are_safely_positive(const std::vector<Vector_3d>& positions) const
   {
-    constexpr std::size_t n_parts = 64; // more than there are threads
+    constexpr std::size_t n_parts = 64; // more than the number of threads
     std::atomic<bool> result(true);
     m_faces.template for_each_in_lanes<Space>(
         m_stars, positions, n_parts, m_execution, [&](std::size_t, const auto& faces, std::size_t) {
@@ -246,7 +247,7 @@ public:
     return result;
   }
 
-  // All there is to measure, for a radius policy.
+  // The invariants of all faces, for a radius policy.
   Face_range_3 faces(const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective)
   {
     const std::vector<Face_invariants_3>& all =
@@ -255,13 +256,13 @@ public:
   }
 
 private:
-  // The vertices around faces above a share of the largest energy are swept some times more, as they settle slowest, and
-  // the largest distortion is theirs: as often as takes a share of the time of a sweep over all vertices, if that is often
-  // enough to be worth it.
-  static constexpr double focus_energy = 0.8, focus_share = 0.8;
+  // The vertices around faces above a fraction of the largest energy are swept several times more, because they
+  // converge slowest and determine the largest distortion. The sweeps take at most a fraction of the time of a sweep
+  // over all vertices, and are omitted if they would be too few.
+  static constexpr double focus_energy = 0.8, focus_fraction = 0.8;
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
 
-  static constexpr std::size_t packets_per_block = 4; // of parallel work: some two microseconds
+  static constexpr std::size_t packets_per_block = 4; // of parallel work: about two microseconds
 
   void set_stars(const std::vector<Vector_3d>& points, const std::vector<double>& densities, const Rest_limits& limits)
   {
@@ -328,7 +329,7 @@ private:
   Star_packets m_stars, m_focus;
   std::vector<std::uint32_t> m_places; // of the vertices in m_stars
   std::vector<std::uint32_t> m_selected;
-  std::vector<char> m_is_selected; // 0 outside of focus_on_faces_above()
+  std::vector<char> m_is_selected; // 0 outside focus_on_faces_above()
   Measured_faces m_faces;
   Per_thread<typename Space::Scratch> m_scratch;
 };

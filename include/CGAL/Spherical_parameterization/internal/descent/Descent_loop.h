@@ -48,8 +48,9 @@ struct Descent_state
   Energy_summary summary;
 };
 
-// Whether nothing that matters has changed: the objective, the average and the radius. Changes are compared with what could still be gained, if no map has less than
-// `isometric_energy`. The paper's rule is about the sum alone, whose relative change is that of exp(s value).
+// Whether the run has converged: in the objective, the average energy and the radius. Changes are compared with the
+// possible gain, if no map has an energy below `isometric_energy`. The paper's criterion concerns only the sum, whose
+// relative change is that of exp(s value).
 inline bool has_converged(const Descent_state& now, const Descent_state& last, const Descent_settings& settings,
                           double sharpness, double isometric_energy)
 {
@@ -68,14 +69,14 @@ inline bool has_converged(const Descent_state& now, const Descent_state& last, c
          all.has_settled(all.average(), last_all.average(), energy_tolerance, isometric_energy);
 }
 
-// The method BLD once there is a bijection: sweeps over all vertices, each with the radius and the sharpness that suit
-// the map at hand, until nothing changes any more.
+// The method BLD, starting from a bijection: sweeps over all vertices, each with a radius and a sharpness for the
+// current map, until convergence.
 template <class Energy, class Step>
 class Descent_loop
 {
 public:
-  // If `densities` are given, one for each vertex, faces get as many times their area as the mean of these; see
-  // Block_coordinate_descent.
+  // If `densities` are given, one for each vertex, the area of a face is multiplied by the mean of its vertices'
+  // densities; see Block_coordinate_descent.
   Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
                Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution,
                std::vector<double> densities = {})
@@ -95,13 +96,14 @@ public:
     m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits());
   }
 
-  // Lowers the energy of the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the radius.
+  // Minimizes the objective over the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the
+  // radius.
   double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
   {
     Parameterization_report& report = m_control.report();
     start(positions);
     report.stop_reason = ITERATION_LIMIT;
-    bool has_phases = true; // whether the radius policy may have further ones
+    bool has_phases = true; // whether the radius policy may have further phases
     const std::size_t window =
         m_settings.is_accelerated
             ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
@@ -132,7 +134,7 @@ public:
           was_final && (i + 1) % window == 0 && (!m_settings.is_accelerated || m_smooth_steps.may_end(i + 1 - window));
       if(may_end && has_converged(m_state, last, m_settings, m_objective.of_faces().sharpness, m_isometric_energy))
       {
-        if(m_objective.turn_dial())
+        if(m_objective.set_final_sharpness())
         {
           sum_up();
           continue;
@@ -155,9 +157,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_window = 100; // sweeps without change: 2 + 2000 / n would be 502 for a tetrahedron
+  static constexpr std::size_t max_window = 100; // without it, the window would be 502 sweeps for a tetrahedron
   static constexpr int max_halvings =
-      5; // of steps of the radius and of smooth steps, each of which sums up all faces: down to a 16th
+      5; // of steps of the radius and of smooth steps, each of which sums up all faces: down to 1/16
 
   void start(const std::vector<Vector_3d>& positions)
   {
@@ -176,17 +178,17 @@ private:
   {
     if(m_objective.start_sweep(i, m_state.summary))
       sum_up();
-    lower_by_level();
+    minimize_over_level();
     Parameterization_report& report = m_control.report();
     report.sharpness = m_objective.of_faces().sharpness;
     ++(report.sharpness > 0. ? report.number_of_sharp_iterations : report.number_of_average_iterations);
   }
 
-  // Newton steps of the level until one is short; that one is taken back if it raises the objective.
-  void lower_by_level()
+  // Newton steps of the level until one is short; that one is undone if it increases the objective.
+  void minimize_over_level()
   {
-    constexpr int max_steps = 2000;     // more than the powers of two between any two
-    constexpr double short_step = 0.01; // Newton's method doubles the digits: the next one would be below the tolerance
+    constexpr int max_steps = 2000;     // more than the number of powers of two in the range of double
+    constexpr double short_step = 0.01; // Newton's method doubles the digits; the next step is negligible
     for(int k = 0; k < max_steps; ++k)
     {
       const Objective last = m_objective;
@@ -212,10 +214,10 @@ private:
     if(m_radius_chooser)
       follow_policy(i == 0, positions);
     else if(!makes_smooth_step(i))
-      lower_by_radius();
+      minimize_over_radius();
   }
 
-  // Half the way by default: over-relaxed vertices answer a full step with too much, and the two never settle.
+  // Half steps by default: over-relaxed vertices overreact to a full step, and the two would not converge.
   void follow_policy(bool is_full_step, const std::vector<Vector_3d>& positions)
   {
     const double aim = m_radius_chooser->next_radius(
@@ -225,15 +227,15 @@ private:
           is_full_step || !m_settings.is_accelerated ? aim : m_state.radius * std::sqrt(aim / m_state.radius);
   }
 
-  // Coordinates at the ends of their range leave no room for larger ones.
+  // At the end of the range of double, coordinates must stay finite.
   void set_radius(double radius)
   {
     if(is_positive_and_finite(radius) && is_positive_and_finite(4. * radius))
       m_state.radius = radius;
   }
 
-  // A Newton step in the logarithm of the radius, or a part of it that does not raise the objective.
-  void lower_by_radius()
+  // A Newton step in the logarithm of the radius, or a fraction of it that does not increase the objective.
+  void minimize_over_radius()
   {
     const double radius = m_state.radius, value = m_objective.value(m_state.summary);
     double step = m_descent.radius_step(scaled_radius(), m_objective.of_faces());
@@ -248,21 +250,21 @@ private:
     sum_up();
   }
 
-  // A run that ends early gets the last radius as well, if the policy comes to it.
+  // A run that ends early also gets the radius of the last phase, if the policy reaches it.
   void skip_phases()
   {
-    constexpr int max_phases = 1000; // a policy of the caller's may have no last one
+    constexpr int max_phases = 1000; // a caller's policy may have no last one
     const bool is_stopped = m_control.is_stopped();
     for(int k = 0; k < max_phases && m_radius_chooser && m_radius_chooser->next_phase(); ++k)
       if(!is_stopped && !m_control.check_clock())
         return;
   }
 
-  // The radius of the map as it is measured: with flat areas, not the determinants, which are less on coarse meshes.
+  // The radius of the final map, by flat areas instead of determinants, which are smaller on coarse meshes.
   void choose_final_radius(const std::vector<Vector_3d>& positions)
   {
-    constexpr int max_steps = 100;     // a few do, some tens where the curvature is negative
-    constexpr double min_step = 1e-13; // rounding
+    constexpr int max_steps = 100;     // a few are usual, tens where the curvature is negative
+    constexpr double min_step = 1e-13; // rounding error
     if(m_radius_chooser)
     {
       follow_policy(true, positions);
@@ -283,12 +285,12 @@ private:
   void step_smoothly(std::size_t sweep, std::vector<Vector_3d>& positions)
   {
     const double value = m_objective.value(m_state.summary);
-    lower_by_smooth_step(positions);
+    make_smooth_step(positions);
     m_smooth_steps.has_made(sweep, value, m_objective.value(m_state.summary));
   }
 
-  // A step of all vertices at once and of the level, see Smooth_step, or a part of it that lowers the objective.
-  void lower_by_smooth_step(std::vector<Vector_3d>& positions)
+  // A step of all vertices at once and of the level, see Smooth_step, or a fraction of it that decreases the objective.
+  void make_smooth_step(std::vector<Vector_3d>& positions)
   {
     if(!m_smooth_step.find(m_descent.measured_faces(), m_descent.stars(), positions, scaled_radius(),
                            m_objective.of_faces(), m_execution))
@@ -322,10 +324,10 @@ private:
     m_state.value = m_objective.value(m_state.summary);
   }
 
-  // Sums up the map that was measured last for another objective or radius.
+  // Sums up the last measured map for another objective or radius.
   void sum_up() { m_state.summary = m_descent.summary(scaled_radius(), m_objective.of_faces()); }
 
-  // The energies of the report are those of the radius that is returned, in the measure of the descent.
+  // The energies in the report are those at the returned radius, by the area measure of the descent.
   void finish(const std::vector<Vector_3d>& positions)
   {
     Face_objective objective;
@@ -342,7 +344,7 @@ private:
     report.seconds_for_optimization = m_control.lap();
   }
 
-  // the radius in the unit of the mesh, kept where its powers are finite
+  // The radius in the unit of the mesh, restricted to a range where its powers are finite.
   double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
 
   const Surface& m_mesh;
@@ -351,7 +353,7 @@ private:
   Execution m_execution;
   std::vector<Vector_3d> m_moved;
   Smooth_step_schedule m_smooth_steps;
-  double m_isometric_energy; // no map has less, with most energies
+  double m_isometric_energy; // no map has less, for most energies
   Objective m_objective;
   Radius_chooser* m_radius_chooser;
   Descent_settings m_settings;

@@ -22,31 +22,32 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// When the loop ends, and whether it goes beyond what the paper describes.
+// The stopping criterion of the loop, and whether the method has the extensions to the paper.
 struct Descent_settings
 {
-  // Two sweeps, with the smooth step before one of them, that change the energy by at most this much, relative, and the radius
-  // likewise, have converged; without acceleration, one sweep.
+  // The run has converged if two sweeps, with the smooth step before one of them, change the energy and the radius by
+  // at most these tolerances, relative; without acceleration, one sweep.
   double energy_tolerance = 1e-3, radius_tolerance = 2e-3;
-  // If so, there are smooth steps and extra sweeps over the worst faces, a radius policy is followed half the way, and convergence asks
-  // for more than that the sum of eq. 6 or 7 has settled.
+  // If true, there are smooth steps and extra sweeps around the worst faces, a radius policy is followed by half steps,
+  // and convergence requires more than that of the sum of eq. 6 or 7.
   bool is_accelerated = true;
 };
 
-// Sweeps over a mesh below this size cost next to nothing: it gets as many times more of them.
+// Sweeps over a mesh below this size cost little, so the number of sweeps increases in inverse proportion to the size.
 constexpr std::size_t size_of_small_meshes = 2000;
 
-// Sweeps over a level of a hierarchy that is not small. They repair what the insertion of vertices has left; more hardly change
-// where the descent over the mesh ends.
+// Sweeps over a level of a hierarchy that is not small. They improve the map after vertex insertion; more sweeps hardly
+// change the result of the descent over the mesh.
 constexpr std::size_t default_sweeps_per_level = 5;
 
-// As many sweeps as bring most meshes to their end.
+// Enough sweeps for most meshes to converge.
 inline std::size_t default_number_of_sweeps(std::size_t n_vertices)
 {
   return 250 * (1 + size_of_small_meshes / (n_vertices + 1));
 }
 
-// The radius policy of a run, see SphereRadiusPolicy_3, asked once per sweep. Radii are in the caller's unit of length.
+// The radius policy of a run, see SphereRadiusPolicy_3, called once per sweep. Radii are in the caller's unit of
+// length.
 class Radius_chooser
 {
 public:

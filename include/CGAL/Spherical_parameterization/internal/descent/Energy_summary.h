@@ -30,9 +30,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The energies of many faces in a few figures. Summaries of parts add up to that of the whole. If the sharpness s is
-// positive, they tell of the weights exp(s E) as well. The size is the number of faces or, if these count by their areas,
-// the sum of the areas; all means follow it.
+// Summary statistics of the energies of many faces. Summaries of parts can be added. If the sharpness s is positive,
+// they include moments with the weights exp(s E). The size is the number of faces or, if faces are weighted by area,
+// the sum of the areas; all means are weighted accordingly.
 class Energy_summary
 {
 public:
@@ -40,14 +40,15 @@ public:
     : m_sharpness(sharpness)
   {}
 
-  // Adds the energies of many faces, in several columns, which do not wait for each other. Which energies a column gets
-  // does not depend on the number of lanes. Faces count as much as `counts` says, or each the same if it is null.
+  // Adds the energies of many faces, in several independent columns. The assignment of energies to columns does not
+  // depend on the number of lanes. Faces have the weights `counts`, or all the same weight if it is null.
   template <class FT>
   void add_all(const double* energies, const double* counts, std::size_t n)
   {
     if(n == 0)
       return;
-    // Calls f(energies, count) for the lanes from `column` on, row by row; the last row may have lanes that do not count.
+    // Calls f(energies, count) for the lanes from `column` on, row by row; unused lanes of the last row have the count
+    // 0.
     const auto for_each_row = [&](std::size_t column, const auto& f) {
       std::size_t k = column;
       for(; k + Lanes<FT>::width <= n; k += n_columns)
@@ -116,8 +117,7 @@ public:
   double average() const { return m_sum / size(); }
   double maximum_energy() const { return m_max; }
 
-  // log(mean of exp(s E)) / s, or the average for s = 0. It lies between the average and the maximum and goes from the
-  // one to the other as s grows.
+  // log(mean of exp(s E)) / s, or the average for s = 0. It increases with s from the average to the maximum.
   double exponential_mean() const
   {
     if(!(m_sharpness > 0.))
@@ -125,13 +125,13 @@ public:
     return m_max + logarithm(m_moments[0] / size()) / m_sharpness;
   }
 
-  // the means of E and E^2 with the weights exp(s E)
+  // The means of E and E^2 with the weights exp(s E).
   double weighted_mean() const { return m_moments[1] / m_moments[0]; }
   double weighted_mean_square() const { return m_moments[2] / m_moments[0]; }
 
-  // Whether the change of an energy from `last_value` is a small part of what could still be gained: of how far it is above
-  // the lowest one, if that is known, or of how far the largest is above the average, where all are near their minimum; at
-  // least a millionth of the energy.
+  // Whether the change of an energy from `last_value` is a small fraction of the possible gain. This is the difference
+  // from the lowest energy, if that is known, or, where all energies are near their minimum, twice the difference
+  // between the largest and the average energy; at least one millionth of the energy.
   bool has_settled(double value, double last_value, double tolerance, double lowest_energy = 0.) const
   {
     const double spread = maximum_energy() - average();

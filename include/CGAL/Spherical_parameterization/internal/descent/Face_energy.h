@@ -27,8 +27,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Whether both functions of an energy can be called for lanes of numbers. One that is written for `double` only is
-// called for one lane after the other.
+// Whether both functions of an energy accept lanes of numbers. An energy for `double` only is called for each lane in
+// turn.
 template <class Energy, class FT>
 using Energy_in_lanes =
     std::void_t<decltype(std::declval<const Energy&>()(std::declval<const FT&>(), std::declval<const FT&>())),
@@ -37,9 +37,9 @@ using Energy_in_lanes =
 template <class Energy, class FT>
 constexpr bool is_lanewise = is_detected<Energy_in_lanes, Energy, FT>;
 
-// The energy of a face as the descent evaluates it: in one lane or several, and, if the weight of the guard is
-// positive, with that share of the area distortion d + 1 / d added, which keeps faces from shrinking without end where
-// the energy itself does not mind.
+// The energy of a face as evaluated by the descent: in one lane or several. If the weight of the guard is positive,
+// this multiple of the area distortion d + 1 / d is added. It keeps faces from shrinking without bound where the energy
+// itself does not penalize this.
 template <class Energy>
 class Face_energy
 {
@@ -103,21 +103,22 @@ private:
   double m_guard;
 };
 
-// The doubled area of the image of a face (x, p, q) as the energy sees it, as a function of its corner x. All corners
-// are offsets from one point of the unit sphere, in the frame of that point; the centre of the sphere is at (0, 0, -1).
+// The doubled area of the image of a face (x, p, q), as measured by the energy, as a function of its corner x. All
+// corners are offsets from one point of the unit sphere, in the frame of that point; the center of the sphere is at (0,
+// 0, -1).
 //
-// This one is the determinant of the corners: the doubled area of the flat triangle times the distance of its plane
-// from the centre. It agrees with the flat area for small faces, and is 0 exactly where a face turns over: the energy
-// is a barrier there, and no face comes to lie across a great circle.
+// This measure is the determinant of the corners: the doubled area of the flat triangle times the distance of its plane
+// from the center. It agrees with the flat area for small faces, and is 0 exactly where the face becomes inverted.
+// There the energy is a barrier, so no face can get stuck across a great circle.
 template <class FT>
 class Determinant_measure
 {
 public:
-  // the value at x = 0
+  // The value at x = 0.
   Determinant_measure(const Vector_3<FT>& p, const Vector_3<FT>& q)
   {
-    // The normal p x q of the plane through p, q and the centre. As p and q are offsets of the size of the edge,
-    // nothing cancels.
+    // The normal p x q of the plane through p, q and the center. Since p and q are offsets of the size of the edge,
+    // there is no cancellation.
     const Vector_3<FT> n = cross(p, q);
     m_gradient = {n[0] + (p[1] - q[1]), n[1] + (q[0] - p[0]), n[2]};
   }
@@ -126,19 +127,19 @@ public:
   FT value() const { return m_gradient[2]; }
   FT dx() const { return m_gradient[0]; }
   FT dy() const { return m_gradient[1]; }
-  // As x = (x, y, -(x^2 + y^2) / 2), up to higher order, the second derivatives follow from the height.
+  // Since x = (x, y, -(x^2 + y^2) / 2), up to higher order, the second derivatives follow from the height.
   FT dxx() const { return -m_gradient[2]; }
   FT dyy() const { return -m_gradient[2]; }
 
-  // the value at x, given the determinant and the normal (p - x) x (q - x) there
+  // The value at x, given the determinant and the normal (p - x) x (q - x) there.
   static FT value(const FT& determinant, const Vector_3<FT>& /* normal */) { return determinant; }
 
 private:
   Vector_3<FT> m_gradient;
 };
 
-// The doubled area of the flat triangle, as in eq. 4 and 5 of the paper. It is positive where a face turns over, so
-// that nothing but the test of every step prevents that, and faces may get stuck across a great circle. It goes with
+// The doubled area of the flat triangle, as in eq. 4 and 5 of the paper. It is positive for inverted faces as well, so
+// only the test in every step prevents inversions, and faces may get stuck across a great circle. It is used with
 // gradient steps, and has no second derivatives.
 template <class FT>
 class Flat_measure
@@ -150,7 +151,7 @@ public:
     const Vector_3<FT> n = cross(p, q), w = p - q;
     const Vector_3<FT> nx = {FT(0.), -w[2], w[1]}, ny = {w[2], FT(0.), -w[0]};
     m_value = length(n);
-    const FT inverse = select(m_value > 0., 1. / m_value, FT(0.)); // no direction where there is no area
+    const FT inverse = select(m_value > 0., 1. / m_value, FT(0.)); // the direction is undefined if the area is 0
     m_dx = inverse * dot(n, nx);
     m_dy = inverse * dot(n, ny);
   }
@@ -166,13 +167,13 @@ private:
   FT m_value, m_dx, m_dy;
 };
 
-// What the faces add to the objective, as a function of their energy E:
+// The contribution of a face to the objective, as a function of its energy E:
 //   psi(E) = (1 - a) E + (a / s) exp(s (E - R)),   psi' = (1 - a) + a exp(s (E - R)),
-// or E for s = 0. Eq. 6 of the paper is s = 0, and eq. 7 is a = 1, where R is but a factor.
+// or E for s = 0. Eq. 6 of the paper is s = 0. Eq. 7 is a = 1, where R only contributes a constant factor.
 struct Face_objective
 {
   Face_objective() = default;
-  // eq. 6 or 7: a sharpness is an objective
+  // Eq. 6 or 7; implicit, because a sharpness determines such an objective.
   Face_objective(double s)
     : sharpness(s)
   {}
@@ -180,11 +181,12 @@ struct Face_objective
   bool is_average() const { return !(sharpness > 0.); }
   bool has_level() const { return share < 1.; }
 
-  // What the d of a face is multiplied by. Its image is measured by the determinant of the corners, which is less than the
-  // doubled area by the distance of its plane from the centre: 1 - c^2 / 2 + ... for an isometric image on the unit
-  // sphere, whose area is that of the surface, with the circumradius c; and c^2 is a ninth of the sum of the squared
-  // edges of an equilateral face. So isometric images have d = 1 up to higher order on coarse meshes as well.
-  // It is bounded, since no image of a face is as long as the faces of coarse and long surfaces are.
+  // The factor of d. The image of a face is measured by the determinant of its corners, which is the doubled area times
+  // the distance of its plane from the center. For an isometric image with the circumradius c on the unit sphere, where
+  // the surface has the area of the sphere, this distance is 1 - c^2 / 2 + ..., and c^2 is a ninth of the sum of the
+  // squared edges of an equilateral face. With this factor, isometric images have d = 1 up to higher order on coarse
+  // meshes as well. The factor is bounded, because images of faces are bounded, unlike the faces of coarse and long
+  // surfaces.
   template <class FT>
   FT area_factor(const FT& opposite_0, const FT& opposite_1, const FT& opposite_2, const FT& doubled_area) const
   {

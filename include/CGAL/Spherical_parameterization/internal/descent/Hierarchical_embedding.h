@@ -41,15 +41,16 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How a hierarchy is mapped to the unit sphere: a tetrahedron is made regular, new vertices go into the kernels of their
-// holes, and on every level the energy is lowered at its best radius; see Level_descent.
+// The plan for mapping a hierarchy to the unit sphere, see Level_descent: the coarsest level is a regular tetrahedron,
+// new vertices are inserted into the kernels of their holes, and on every level the energy is minimized at the optimal
+// radius.
 template <class Energy>
 class Hierarchical_embedding
 {
 public:
   using Space = Round_sphere<Energy, Newton_step>;
 
-  // The finest level is only swept if `sweeps_finest_level`.
+  // The finest level is swept only if `sweeps_finest_level`.
   Hierarchical_embedding(const Face_energy<Energy>& energy, std::size_t sweeps_per_level, bool sweeps_finest_level,
                          bool is_uniform)
     : m_energy(energy)
@@ -61,30 +62,30 @@ public:
   Space space() const { return Space(m_energy); }
   Newton_step step() const { return Newton_step(over_relaxation); }
 
-  // On small levels, where the large features settle, it takes as many sweeps as it takes, at little cost. If all faces
-  // are to be alike, after other attempts have failed, more sweeps are what makes the difference.
+  // Small levels, which determine the large features, are swept until they converge, at little cost. If all faces are
+  // to have the same size, after other attempts have failed, the number of sweeps is decisive.
   Level_sweeps start_level(Space&, const Mesh_hierarchy::Level& level, bool is_finest)
   {
     if(is_finest && !m_sweeps_finest_level)
       return {};
     if(level.vertices.size() < size_of_small_meshes && !m_is_uniform)
-      return {(std::max)(max_sweeps_to_settle, m_sweeps_per_level), settled_change};
+      return {(std::max)(max_sweeps_to_converge, m_sweeps_per_level), convergence_tolerance};
     return {m_sweeps_per_level, -1.};
   }
 
-  // The kernel is the place.
-  bool find_place(const Ring_hole&, const Mesh_hierarchy::Removed_vertex&, Vector_3d&) const { return false; }
+  // New vertices are inserted into the kernel.
+  bool find_insertion_point(const Ring_hole&, const Mesh_hierarchy::Removed_vertex&, Vector_3d&) const { return false; }
 
-  // The radius of the lowest energy, whatever the policy of the mesh itself.
+  // The radius of minimum energy, regardless of the policy for the mesh itself.
   template <class Descent>
   void choose_radius(const Descent& descent, double& radius) const
   {
-    constexpr int max_steps = 20;       // which change it by a factor of 400
-    constexpr double short_step = 1e-3; // sweeps change it anyway
+    constexpr int max_steps = 20;       // which change it by a factor of up to 400
+    constexpr double short_step = 1e-3; // sweeps change the radius anyway
     for(int k = 0; k < max_steps; ++k)
     {
       const double step = descent.radius_step(radius, Face_objective()), next = radius * exponential(step);
-      if(!is_positive_and_finite(next)) // as where there is no best one
+      if(!is_positive_and_finite(next)) // for example if no radius is optimal
         return;
       radius = next;
       if(!(std::abs(step) > short_step))
@@ -96,16 +97,16 @@ public:
   bool may_end(const Space&) const { return true; }
 
 private:
-  static constexpr double over_relaxation = 1.5; // less than on the mesh: with its 1.7, the largest energies end higher
-  static constexpr std::size_t max_sweeps_to_settle = 300;
-  static constexpr double settled_change = 1e-4; // of the average energy, see Energy_summary::has_settled()
+  static constexpr double over_relaxation = 1.5; // less than on the mesh: with its 1.7, the largest energies are higher
+  static constexpr std::size_t max_sweeps_to_converge = 300;
+  static constexpr double convergence_tolerance = 1e-4; // of the average energy, see Energy_summary::has_settled()
 
   Face_energy<Energy> m_energy;
   std::size_t m_sweeps_per_level;
   bool m_sweeps_finest_level, m_is_uniform;
 };
 
-inline void place_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vector_3d>& positions)
+inline void set_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vector_3d>& positions)
 {
   const std::size_t coarsest = hierarchy.number_of_levels() - 1;
   const std::vector<std::uint32_t>& vertices = hierarchy.level(coarsest).vertices;
@@ -117,12 +118,12 @@ inline void place_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vecto
   positions[vertices[ring[2]]] = {-a, -a, a};
 }
 
-// Maps a mesh to the unit sphere through a hierarchy. It may happen that faces get so small that doubles cannot hold
-// the map: because the energy lets them, as a conformal one does on long extremities, or because the surface itself has no
-// room for them, as where many vertices share one place. Then it is tried again with a growing guard against the former
-// and growing limits of the latter, and in the end without regard to the surface, each face having the same room, with
-// more and more sweeps. Returns whether there is a map. The finest level is only swept if `sweeps_finest_level`, as the
-// levels are.
+// Maps a mesh to the unit sphere through a hierarchy. Faces may become so small that double precision cannot represent
+// the map: because the energy allows it, such as a conformal one on long extremities, or because the surface itself has
+// no room for them, for example where many vertices coincide. Then the map is computed again, with an increasing guard
+// against the former and increasing limits for the latter, and finally without regard to the surface, with faces of
+// equal size and an increasing number of sweeps. Returns whether there is a map. The finest level is swept, like the
+// other levels, only if `sweeps_finest_level`.
 template <class Energy>
 bool embed_hierarchically(const Surface& mesh, const Energy& energy, std::size_t sweeps_per_level,
                           bool sweeps_finest_level, std::vector<Vector_3d>& positions, Run_control& control,
@@ -131,7 +132,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, std::size_t
   Parameterization_report& report = control.report();
   const auto embed = [&](double guard, Rest_limits limits, std::size_t sweeps_factor) {
     limits.height_without_shape = limits.min_height; // a needle on a coarse level may be as long as the surface
-    // An attempt uses the hierarchy up, and a second one is rare.
+    // An attempt consumes the hierarchy; further attempts are rare.
     Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
                              !shares.empty()             ? shares
                              : follows_curvature<Energy> ? curvature_masses(mesh.rings(), mesh.points())
@@ -145,7 +146,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, std::size_t
     Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), sweeps_factor * sweeps_per_level,
                                         sweeps_finest_level, limits.is_uniform);
     positions.resize(mesh.number_of_vertices());
-    place_tetrahedron(hierarchy, positions);
+    set_tetrahedron(hierarchy, positions);
     return Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
   };
 

@@ -34,22 +34,23 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How a level is swept.
+// The number of sweeps over a level.
 struct Level_sweeps
 {
   std::size_t maximum = 0;
-  double settled_change = 0.; // it ends before, if measurements differ by less; see Energy_summary::has_settled()
+  double convergence_tolerance = 0.; // stops earlier if measurements differ by less; see Energy_summary::has_settled()
 };
 
-// Takes a map through a hierarchy from the coarsest level up: on every level, the vertices that are new are put into
-// their holes, all at once, and then all vertices of the level are swept.
+// Extends a map through a hierarchy from the coarsest level to the finest one: on every level, the new vertices are
+// inserted into their holes, all at once, and then all vertices of the level are swept.
 //
-// That every vertex has been swept before others are inserted next to it is what makes the insertion robust: kernels
-// stay as wide as the faces around them.
+// Since every vertex is swept before others are inserted next to it, insertion is robust: kernels stay as wide as the
+// faces around them.
 //
-// What is particular to a map is said by a Plan: the space, see Block_coordinate_descent, the step of a vertex, where a new
-// vertex goes, how often a level is swept, and at which radius. All levels lower the average energy (eq. 6): where a face
-// stands for a whole extremity, to fight the worst one throws the extremities into disorder.
+// A Plan determines the particulars of a map: the space, see Block_coordinate_descent, the step of a vertex, where a
+// new vertex is inserted, the number of sweeps over a level, and the radius. All levels minimize the average energy
+// (eq. 6): on a coarse level, a face may represent a whole extremity, and weighting the worst faces would misplace the
+// extremities.
 template <class Plan>
 class Level_descent
 {
@@ -66,10 +67,10 @@ public:
     , m_kernels(execution, Star_kernel())
   {}
 
-  // Given the positions of the vertices of the coarsest level, computes those of all others; the report then says how the
-  // finest level has ended, if it was swept. Returns false if a kernel has become too narrow for doubles. The levels of the
-  // hierarchy that have been mapped are dropped, as the finer ones need the memory. It may end at another level, from which
-  // another descent can go on.
+  // Given the positions of the vertices of the coarsest level, computes those of all others. The report then has the
+  // stop reason of the finest level, if it was swept. Returns false if a kernel has become too narrow for double
+  // precision. Levels of the hierarchy that have been mapped are dropped, because the finer ones need the memory. The
+  // descent may end at another level, from which another descent can continue.
   bool run(std::vector<Vector_3d>& positions, std::size_t last_level = 0)
   {
     const std::size_t n_levels = m_hierarchy.number_of_levels();
@@ -106,19 +107,19 @@ private:
         const Mesh_hierarchy::Removed_vertex& removed = level.removed[k];
         const Ring_hole hole = {local, rings.ring(removed.vertex), removed.target};
         Vector_3d& position = local[removed.vertex];
-        if(!m_plan.find_place(hole, removed, position) && !kernel.find_point(hole, position))
+        if(!m_plan.find_insertion_point(hole, removed, position) && !kernel.find_point(hole, position))
           is_complete = false;
       }
     });
     return is_complete;
   }
 
-  // Sweeps over a level, and returns whether it has settled. A run that is stopped sweeps it once, as vertices are to be
-  // inserted into what has been swept.
+  // Sweeps over a level, and returns whether it has converged. A run that is stopped sweeps it once, because vertices
+  // must be inserted into swept levels.
   bool relax(const Mesh_hierarchy::Level& level, const Vertex_rings& rings, std::vector<Vector_3d>& local,
              const Level_sweeps& sweeps)
   {
-    constexpr std::size_t sweeps_per_measurement = 5; // to measure takes a fifth of the time of a sweep
+    constexpr std::size_t sweeps_per_measurement = 5; // measuring takes a fifth of the time of a sweep
     const std::vector<Vector_3d> points = level.gathered(m_points);
     std::vector<double> densities;
     Independent_sets sets;
@@ -138,7 +139,7 @@ private:
       {
         const Energy_summary summary = m_descent.measure(local, m_radius, objective);
         m_plan.choose_radius(m_descent, m_radius);
-        if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.settled_change) &&
+        if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.convergence_tolerance) &&
            m_plan.may_end(m_descent.space()))
           return true;
         last_average = summary.average();
@@ -158,9 +159,9 @@ private:
   Plan& m_plan;
   Run_control& m_control;
   Execution m_execution;
-  Block_coordinate_descent<typename Plan::Space, Newton_step> m_descent; // on the level at hand
+  Block_coordinate_descent<typename Plan::Space, Newton_step> m_descent; // on the current level
   Per_thread<Star_kernel> m_kernels;
-  double m_radius = 1.; // of the sphere that the energies are taken on
+  double m_radius = 1.; // of the sphere on which the energies are evaluated
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

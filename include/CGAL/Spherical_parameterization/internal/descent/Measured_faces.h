@@ -38,7 +38,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Some faces side by side: their corners on the unit sphere, and their rest shapes, see Rest_triangle.
+// Several faces in lanes: their corners on the unit sphere, and their rest shapes, see Rest_triangle.
 template <class FT>
 struct Faces_in_lanes
 {
@@ -47,8 +47,8 @@ struct Faces_in_lanes
   FT inverse_doubled_area;
 };
 
-// All faces of a mesh, each once, to be measured at any state of the map. They are laid out such that several of them
-// are measured at once: `width` faces make a packet, which ends with its first face again where there are no more.
+// All faces of a mesh, each once, for measurements at any state of the map. Several of them are measured at once:
+// `width` faces form a packet. The last packet is padded with its first face.
 class Measured_faces
 {
 public:
@@ -58,8 +58,8 @@ public:
     m_measured.reserve((n_faces + width - 1) / width);
   }
 
-  // Takes the faces of the mesh with these stars, which hold the rest shapes for the measurements as well. The star of
-  // vertex v is number places[v] there. Rows of faces that are side by side there are so here, before all others.
+  // Sets the faces of the mesh with these stars, which also contain the rest shapes for the measurements. The star of
+  // vertex v has the index places[v]. Rows of faces that are adjacent there are adjacent here, before all others.
   void assign(const Star_packets& stars, const std::vector<std::uint32_t>& places, std::size_t n_faces,
               Execution execution)
   {
@@ -68,7 +68,7 @@ public:
     const std::size_t n_packets = (n_faces + width - 1) / width, n_star_packets = stars.number_of_packets();
     m_packets.resize(n_packets, boost::container::default_init);
     m_measured.resize(n_packets, boost::container::default_init);
-    // the faces of each packet of stars, those of rows in first[0], and then where they begin here
+    // The number of faces of each packet of stars, those of rows in first[0], and then their first indices here.
     std::array<std::vector<std::size_t>, 2> first;
     first.fill(std::vector<std::size_t>(n_star_packets + 1, 0));
     for_each_in_blocks(execution, 0, n_star_packets, packets_per_block, [&](std::size_t k) {
@@ -103,8 +103,8 @@ public:
     }
   }
 
-  // Measures all faces on the sphere of radius `radius`, several at once or one by one, as `Space` does. The areas of the images
-  // are those of the objective, or those of flat triangles.
+  // Measures all faces on the sphere of radius `radius`, several at once or one by one, depending on `Space`. The areas
+  // of the images are those of the objective, or those of flat triangles.
   template <class Space>
   Energy_summary measure(const Space& space, const Star_packets& stars, const std::vector<Vector_3d>& positions,
                          double radius, const Face_objective& objective, Execution execution, bool are_flat = false)
@@ -124,7 +124,7 @@ public:
     return total(objective);
   }
 
-  // Sums up the energies that the map which was measured last has on the sphere of radius `radius`.
+  // Sums up the energies of the last measured map on the sphere of radius `radius`.
   template <class Space>
   Energy_summary summary(const Space& space, const Star_packets& stars, double radius, const Face_objective& objective,
                          Execution execution)
@@ -135,7 +135,7 @@ public:
     return total(objective);
   }
 
-  // All there is to measure, for a radius policy.
+  // The invariants of all faces, for a radius policy.
   template <class Space>
   const std::vector<Face_invariants_3>& all_invariants(const Space& space, const Star_packets& stars,
                                                        const std::vector<Vector_3d>& positions, double radius,
@@ -151,12 +151,13 @@ public:
           m_invariants[face + k] = {lane(area, k), lane(i, k), lane(d, k), lane(flat_d, k)};
       });
     });
-    m_invariants.resize(m_number_of_faces); // without the lanes that the last packet is filled up with
+    m_invariants.resize(m_number_of_faces); // without the padding of the last packet
     return m_invariants;
   }
 
-  // The first two derivatives of the sum of psi(E) over all faces in the logarithm of the radius, on the sphere of radius
-  // `radius`, by the areas that were measured last; and what the first one would be if nothing cancelled, to tell rounding by.
+  // The first two derivatives of the sum of psi(E) over all faces with respect to the logarithm of the radius, on the
+  // sphere of radius `radius`, by the last measured areas; and the sum of the absolute values of the terms of the first
+  // one, to estimate rounding errors.
   template <class Space>
   std::array<double, 3> radius_derivatives(const Space& space, const Star_packets& stars, double radius,
                                            const Face_objective& objective, Execution execution) const
@@ -207,8 +208,8 @@ public:
     return result;
   }
 
-  // Calls f(part, faces, n) for all faces at these positions, several of them at once, where `faces` are Faces_in_lanes, of
-  // which `n` count. The faces are in `n_parts` parts, each in order, and several parts run at once.
+  // Calls f(part, faces, n) for all faces at these positions, several at once, where `faces` are Faces_in_lanes, of
+  // which the first `n` are valid. The faces are in `n_parts` parts, each in order, and several parts run concurrently.
   template <class Space, class Function>
   void for_each_in_lanes(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t n_parts,
                          Execution execution, const Function& f) const
@@ -228,8 +229,9 @@ public:
     });
   }
 
-  // Calls f(a, b, c) for each face whose energy was above `bound` when it was measured last, as long as f returns true;
-  // but for blocks of faces that were all below it when they were summed up last, on a sphere that is nearly the same.
+  // Calls f(a, b, c) for each face whose energy was above `bound` in the last measurement, as long as f returns true.
+  // Blocks whose faces were all below the bound when they were last summed up, on a sphere of nearly the same radius,
+  // are skipped.
   template <class Energy, class Function>
   void for_each_above(const Energy& energy, double bound, const Function& f) const
   {
@@ -249,16 +251,16 @@ public:
 
 private:
   static constexpr std::size_t width = packet_width;
-  static constexpr std::size_t packets_per_block = 32; // of parallel work: 256 faces, some two microseconds
+  static constexpr std::size_t packets_per_block = 32; // of parallel work: 256 faces, about two microseconds
   static constexpr std::size_t faces_per_block = packets_per_block * width;
 
   struct Packet
   {
-    std::array<std::uint32_t, width> corners; // of the smallest vertices in their stars
+    std::array<std::uint32_t, width> corners; // of the first vertices in their stars
     std::array<std::array<std::uint32_t, width>, 3> vertices;
   };
 
-  // I and d of the faces of a packet
+  // I and d of the faces of a packet.
   struct Measured
   {
     std::array<double, width> i, d;
@@ -294,7 +296,7 @@ private:
     return {{point(0), point(1), point(2)}, {rest(0), rest(1), rest(2)}, rest(3)};
   }
 
-  // Calls f(faces, face) for all faces of a block, several of them at once, from number `face` on.
+  // Calls f(faces, face) for all faces of a block, several at once, starting at index `face`.
   template <class FT, class Function>
   void for_each_of_block(const Star_packets& stars, const std::vector<Vector_3d>& positions, std::size_t block,
                          const Function& f) const
@@ -305,7 +307,7 @@ private:
         f(in_lanes<FT>(stars, positions.data(), k, lane), k * width + lane);
   }
 
-  // I, d and flat_d
+  // I, d and flat_d.
   template <class FT, class Space>
   static std::array<FT, 3> invariants(const Space& space, const Faces_in_lanes<FT>& faces, double radius,
                                       const Face_objective& objective)
@@ -314,7 +316,7 @@ private:
                                          1. / faces.inverse_doubled_area, radius * radius, objective);
   }
 
-  // a member of the faces from `face` on
+  // A member of the faces, starting at index `face`.
   template <class FT>
   FT measured(std::size_t face, std::array<double, width> Measured::*member) const
   {

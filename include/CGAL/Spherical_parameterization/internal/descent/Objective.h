@@ -29,8 +29,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A schedule in use: the sharpness that it has chosen so far during a run, and chooses next. That of a dial is a matter of the level;
-// a dial at 0 is a schedule that stays there.
+// The state of a schedule during a run: its current sharpness. For a relative sharpness, the level determines the
+// sharpness; a relative sharpness of 0 is a schedule that stays at 0.
 class Sharpness_rule
 {
 public:
@@ -47,7 +47,7 @@ public:
       if(m_current == 0.)
       {
         const bool is_over = m_rule.m_number_of_average_sweeps == Sharpness::adaptive
-                                 ? average_energy > (1. - min_fall_of_average) * m_average_energy
+                                 ? average_energy > (1. - min_decrease_of_average) * m_average_energy
                                  : sweep >= m_rule.m_number_of_average_sweeps;
         if(is_over)
           m_current = m_rule.m_first;
@@ -63,56 +63,56 @@ public:
 
   double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
 
-  // Whether the sharpness has reached its last value.
+  // Whether the sharpness has reached its final value.
   bool is_final() const { return m_current == m_rule.m_last; }
 
 private:
-  static constexpr double min_fall_of_average = 1e-3; // as Sharpness documents it
-  static constexpr double growth = 1.25;              // from 0.1 to 10, the paper's range, in 21 steps
+  static constexpr double min_decrease_of_average = 1e-3; // as documented in Sharpness
+  static constexpr double growth = 1.25;                  // from 0.1 to 10, the paper's range, in 21 steps
 
   Sharpness m_rule;
   double m_current;
   double m_average_energy = 0., m_max_energy = 0.; // before the last sweep
 };
 
-// What a run lowers. For a dial beta it is one function of the map, the radius and a level R, through the energies E of
-// the n faces:
+// The objective of a run. For a relative sharpness beta it is one function of the map, the radius and a level R,
+// through the energies E of the n faces:
 //
 //   Phi = (1 - a) mean E + a S,   S = (1 - 1/b) R + (R/b) mean exp(b (E/R - 1)),   a = beta / (beta + 40), b = beta + 1.
 //
-// Its minimum over R makes S a soft maximum: homogeneous and convex in the energies, equal to them where all are the
-// same, and nearer to the largest the larger b is. As Phi is jointly convex in the energies and R, steps of the map, the
-// radius and the level all lower one function, though the sharpness s = b/R of the sweeps changes.
+// Its minimum over R makes S a soft maximum: homogeneous and convex in the energies, equal to them if all are the same,
+// and closer to the largest for larger b. Since Phi is jointly convex in the energies and R, steps of the map, the
+// radius and the level all decrease the same function, although the sharpness s = b/R of the sweeps changes.
 //
-// For a schedule it is what eq. 6 or 7 of the paper says, with an s that changes from sweep to sweep.
+// For a schedule, the objective is that of eq. 6 or 7 of the paper, with an s that changes from sweep to sweep.
 class Objective
 {
 public:
-  // `has_radius` says whether the radius is one of the variables, and the map is to be isometric.
+  // `has_radius` is true if the radius is a variable of the objective, and the map should be isometric.
   Objective(const Sharpness& sharpness, bool has_radius)
     : m_rule(sharpness)
   {
     m_faces.area_correction = has_radius ? 1. / 9. : 0.;
     if(m_rule.dial() > 0.)
-      set_dial((std::min)(m_rule.dial(), max_first_dial));
+      set_relative_sharpness((std::min)(m_rule.dial(), max_initial_sharpness));
   }
 
   const Face_objective& of_faces() const { return m_faces; }
 
-  // Turns a dial beyond that of Sharpness::balanced() to its end, and returns whether it has to be: it starts from the map that
-  // has settled for that one, and so ends with a lower largest energy, as a rule.
-  bool turn_dial()
+  // Sets a relative sharpness above that of Sharpness::balanced() to its final value, and returns whether this was
+  // necessary. Starting from the map that has converged for the smaller value usually gives a lower largest energy.
+  bool set_final_sharpness()
   {
     if(!m_faces.has_level() || m_b == m_rule.dial() + 1.)
       return false;
-    set_dial(m_rule.dial());
+    set_relative_sharpness(m_rule.dial());
     if(!m_faces.is_average())
       set_level(m_faces.level);
     return true;
   }
 
-  // Chooses what the next sweep lowers, given the map at hand. Returns whether that has changed, so that the map is to be
-  // summed up anew.
+  // Determines the objective of the next sweep for the current map. Returns whether it has changed, so that the map
+  // must be summed up again.
   bool start_sweep(std::size_t sweep, const Energy_summary& summary)
   {
     const double last_sharpness = m_faces.sharpness;
@@ -123,11 +123,11 @@ public:
     return m_faces.sharpness != last_sharpness;
   }
 
-  // Moves the level towards the minimum of Phi for the map at hand, and returns how far, relative.
+  // Moves the level towards the minimum of Phi for the current map, and returns the relative change.
   //
-  // dS/dR = 0 says that mean[(b x - 1) exp(b (x - 1))] = b - 1 with x = E/R. The left side is increasing and convex in
-  // 1/R, where this makes a Newton step, at most one that doubles or halves R: for the logarithm of both sides, which is
-  // nearly linear where exponents are large, or for the sides themselves, where the left one may be negative.
+  // dS/dR = 0 is equivalent to mean[(b x - 1) exp(b (x - 1))] = b - 1 with x = E/R. The left side is increasing and
+  // convex in 1/R. This makes a Newton step in 1/R that at most doubles or halves R: for the logarithm of both sides,
+  // which is nearly linear where exponents are large, or for the sides themselves, where the left one may be negative.
   double improve_level(const Energy_summary& summary)
   {
     if(!m_faces.has_level() || m_faces.is_average())
@@ -135,7 +135,7 @@ public:
     const double s = m_faces.sharpness, level = m_faces.level, slope = s * summary.weighted_mean() - 1.;
     const double exponent = s * (summary.exponential_mean() - level);
     const double curvature = s * s * summary.weighted_mean_square();
-    if(!is_finite(curvature)) // squares of energies beyond what a double holds
+    if(!is_finite(curvature)) // squares of energies beyond the range of double
       return 0.;
     const double excess = slope > 0. && m_b >= 2. ? slope * (exponent + logarithm(slope / (m_b - 1.)))
                                                   : slope - (m_b - 1.) / exponential(exponent);
@@ -144,14 +144,14 @@ public:
     return std::abs(m_faces.level - level) / level;
   }
 
-  // Moves the level, to no less than half of what it is.
+  // Moves the level, to no less than half of its value.
   void move_level(double step)
   {
     if(m_faces.has_level() && !m_faces.is_average())
       set_level((std::max)(m_faces.level + step, 0.5 * m_faces.level));
   }
 
-  // Phi, or the mean of eq. 6 or 7 in the unit of the energy
+  // Phi, or the mean of eq. 6 or 7 in the unit of the energy.
   double value(const Energy_summary& summary) const
   {
     if(!m_faces.has_level() || m_faces.is_average())
@@ -164,12 +164,12 @@ public:
   bool is_final() const { return m_rule.is_final(); }
 
 private:
-  static constexpr double max_first_dial = 20.;
+  static constexpr double max_initial_sharpness = 20.;
 
-  void set_dial(double beta)
+  void set_relative_sharpness(double beta)
   {
     m_b = beta + 1.;
-    m_faces.share = beta / (beta + 40.); // half for Sharpness::lowest_worst()
+    m_faces.share = beta / (beta + 40.); // 1/2 for Sharpness::lowest_worst()
   }
 
   void set_level(double level)

@@ -29,8 +29,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The round sphere as the space that vertices move on: what Block_coordinate_descent asks of one. `Step` says how the
-// image of a face is measured, and whether several vertices move at once, in lanes.
+// The round sphere as the space of Block_coordinate_descent on which vertices move. `Step` determines how the image of
+// a face is measured, and whether several vertices move at once, in lanes.
 template <class Energy_, class Step>
 class Round_sphere
 {
@@ -47,9 +47,9 @@ public:
 
   const Energy& energy() const { return m_energy; }
 
-  using Scratch = In_lanes<Star>; // what a thread needs to move stars
+  using Scratch = In_lanes<Star>; // the data that a thread needs to move stars
 
-  // Moves the vertices of the star in each lane, but no more than `n_vertices`.
+  // Moves the center of the star in each lane, for the first `n_vertices` lanes.
   template <class FT>
   void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
             double radius, const Face_objective& objective, const Step& vertex_step, Scratch& scratch) const

@@ -35,23 +35,23 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A step of all vertices at once: the sphere is deformed, and the images of the vertices go along. Sweeps are slow with
-// what is smooth, the slower the finer the mesh, and that is what the worst faces wait for: room has to come from afar.
-// The deformation is linear in the cells of a grid that is much coarser than the mesh. It is one step of Newton's method
-// for the objective of the mesh itself, in the nodes, the level R and the radius together. So no coarse mesh takes part,
-// whose energies would have to agree with those of the mesh.
+// A step of all vertices at once, by a deformation of the sphere. Sweeps reduce smooth components of the error slowly,
+// the more slowly the finer the mesh, and the worst faces depend on them, because the area that they need comes from
+// distant parts. The deformation is linear in the cells of a grid that is much coarser than the mesh. It is one step of
+// Newton's method for the objective of the mesh itself, in the nodes, the level R and the radius together. So no coarse
+// mesh is involved whose energies would have to agree with those of the mesh.
 template <class Space>
 class Smooth_step
 {
 public:
-  // `has_radius` says whether the radius is a variable.
+  // `has_radius` is true if the radius is a variable.
   Smooth_step(const Space& space, std::size_t n_vertices, bool has_radius)
     : m_cells(grid_size(n_vertices))
     , m_sums(space)
     , m_has_radius(has_radius)
   {}
 
-  // Finds the step for the map at hand, and returns whether there is one.
+  // Computes the step for the current map, and returns whether there is one.
   bool find(const Measured_faces& faces, const Star_packets& stars, const std::vector<Vector_3d>& positions,
             double radius, const Face_objective& objective, Execution execution)
   {
@@ -60,10 +60,10 @@ public:
     return solve();
   }
 
-  // Makes the part t of the step from `positions`.
+  // Makes the fraction t of the step, starting from `positions`.
   void move(const std::vector<Vector_3d>& positions, double t, std::vector<Vector_3d>& moved, Execution execution) const
   {
-    constexpr std::size_t block_size = 256; // some five microseconds
+    constexpr std::size_t block_size = 256; // about five microseconds
     moved.resize(positions.size());
     for_each_block(execution, 0, positions.size(), block_size, [&](std::size_t begin, std::size_t end) {
       run_in_lanes([&](auto number_type) {
@@ -83,17 +83,18 @@ public:
     });
   }
 
-  // what R gets more, and how many times the radius gets as large
+  // The increment of R and the factor of the radius.
   double level_step(double t) const { return t * m_level_step; }
   double radius_factor(double t) const { return exponential(t * m_log_radius_step); }
 
 private:
   using Matrix_6 = std::array<std::array<double, 6>, 6>;
 
-  // Beyond a million vertices the grid would cost too much, whose equations are solved by one thread.
+  // The number of nodes is limited, because one thread solves the equations; for a million vertices or more, they would
+  // cost too much.
   static constexpr std::size_t vertices_per_node = 64, max_nodes = 20000;
 
-  // the squares along an edge of the cube, which has six sides
+  // The number of squares along an edge of the cube, which has six sides.
   static std::size_t grid_size(std::size_t n_vertices)
   {
     const std::size_t n_nodes = (std::min)(n_vertices / vertices_per_node, max_nodes);
@@ -108,7 +109,7 @@ private:
     for(std::size_t c = 0; c < n_cells; ++c)
       mean_trace += trace(m_sums.hessian(c)) / static_cast<double>(n_cells);
     m_matrices.resize(n_cells);
-    constexpr std::size_t cells_per_block = 16; // some ten microseconds
+    constexpr std::size_t cells_per_block = 16; // about ten microseconds
     for_each_in_blocks(execution, 0, n_cells, cells_per_block, [&](std::size_t c) {
       m_matrices[c] = matrix_of_nodes(made_positive(m_sums.hessian(c), mean_trace), m_cells.cells()[c].motions);
     });
@@ -116,7 +117,7 @@ private:
     m_right.assign(2 * n_nodes + 2, 0.);
     m_columns.assign(2 * n_nodes, {0., 0.});
     m_diagonal.assign(n_nodes, {0., 0., 0.});
-    // A variable that the objective does not have, or that it has a negative curvature in, is held.
+    // A variable that the objective does not have, or in which its curvature is negative, is fixed.
     const auto [r, t, rr, rt, tt] = m_sums.of_level_and_radius();
     const bool moves_level = rr > 0., moves_radius = m_has_radius && tt > 0.;
     m_right[2 * n_nodes] = moves_level ? -r : 0.;
@@ -165,16 +166,16 @@ private:
 
   static double trace(const Matrix_4& h) { return h[0][0] + h[1][1] + h[2][2] + h[3][3]; }
 
-  // Adds to the diagonal: a little of the mean over the cells, for those that have no faces, and as much as makes the
-  // matrix positive definite, since compressed faces have directions of negative curvature.
+  // Adds to the diagonal: a small multiple of the mean over the cells, for cells without faces, and as much as is
+  // necessary to make the matrix positive definite, since compressed faces have directions of negative curvature.
   static Matrix_4 made_positive(const Matrix_4& h, double mean_trace)
   {
-    constexpr double share_of_mean = 1e-3, first_shift = 2.5e-3, last_shift = 1e3;
+    constexpr double fraction_of_mean = 1e-3, first_shift = 2.5e-3, last_shift = 1e3;
     Matrix_4 result = h;
     for(double shift = 0.; shift < last_shift; shift = (std::max)(2. * shift, first_shift))
     {
       for(std::size_t k = 0; k < 4; ++k)
-        result[k][k] = h[k][k] + shift * std::abs(trace(h)) + share_of_mean * mean_trace;
+        result[k][k] = h[k][k] + shift * std::abs(trace(h)) + fraction_of_mean * mean_trace;
       if(is_positive_definite(result))
         return result;
     }
@@ -184,7 +185,7 @@ private:
     return result;
   }
 
-  // by Cholesky's factorization
+  // By Cholesky factorization.
   static bool is_positive_definite(Matrix_4 h)
   {
     for(std::size_t k = 0; k < 4; ++k)
@@ -198,12 +199,12 @@ private:
     return true;
   }
 
-  // Conjugate gradients, preconditioned by the blocks of the nodes. They end early, as the next step corrects what this one
-  // has left.
+  // Conjugate gradients, preconditioned by the blocks of the nodes. The iteration ends early, because the next step
+  // corrects the remaining error.
   bool solve()
   {
     constexpr double tolerance = 0.1;
-    constexpr std::size_t max_rounds = 200; // some ten do
+    constexpr std::size_t max_rounds = 200; // about ten are usual
     const std::size_t n = m_right.size();
     std::vector<double> x(n, 0.), residual = m_right;
     conjugate_gradients(
@@ -216,7 +217,7 @@ private:
           precondition(r, z);
           return inner_product(r, z);
         },
-        [](std::size_t k, double size, double first_size, double step) { // a step of 0 has found no curvature
+        [](std::size_t k, double size, double first_size, double step) { // a step of 0 indicates non-positive curvature
           return k < max_rounds && size > tolerance * tolerance * first_size && step > 0.;
         });
     m_steps.clear();
@@ -274,14 +275,14 @@ private:
   std::vector<Matrix_6> m_matrices;              // of the cells
   std::vector<std::array<double, 2>> m_columns;  // of R and t, in the rows of the nodes
   std::array<double, 3> m_last_block = {};       // R R, R t and t t
-  std::vector<std::array<double, 3>> m_diagonal; // the same of each node
-  std::vector<double> m_right;                   // two of each node, R and t
+  std::vector<std::array<double, 3>> m_diagonal; // the diagonal block of each node
+  std::vector<double> m_right;                   // two entries of each node, then R and t
   std::vector<Vector_3d> m_steps;                // of the nodes
   double m_level_step = 0., m_log_radius_step = 0.;
 };
 
-// Before which sweeps smooth steps are made: before every other one, and less often as long as a step gains less than a
-// sweep. Both take about the same time.
+// The schedule of smooth steps: before every other sweep, and less often while a step gains less than a sweep. Both
+// take about the same time.
 class Smooth_step_schedule
 {
 public:
@@ -289,7 +290,7 @@ public:
 
   bool is_due(std::size_t sweep) const { return sweep >= m_next; }
 
-  // A step before this sweep has changed the value of the objective.
+  // Called after a step before this sweep, with the values of the objective before and after it.
   void has_made(std::size_t sweep, double value_before, double value_after)
   {
     const double gain_of_sweeps = (m_last_value - value_before) / static_cast<double>(m_interval);
@@ -299,8 +300,8 @@ public:
     m_last_value = value_after;
   }
 
-  // Whether what sweeps from `begin` on have changed tells that nothing is left to gain: if there was a step among
-  // them, or if steps gain so little that they are rare.
+  // Whether the changes of the sweeps from `begin` on can indicate convergence: if there was a step among them, or if
+  // steps gain so little that they are rare.
   bool may_end(std::size_t begin) const { return m_last >= begin || m_interval > max_useful_interval; }
 
 private:

@@ -30,8 +30,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The sphere in triangles of about the same size: those of a cube whose squares are halved, with their corners on the
-// sphere. A deformation of the sphere moves the nodes, tangentially, and is linear in the cells.
+// A triangulation of the sphere with cells of about the same size: the squares of a cube's sides are halved, and their
+// corners are projected to the sphere. A deformation of the sphere moves the nodes tangentially and is linear in the
+// cells.
 class Sphere_cells
 {
 public:
@@ -39,14 +40,14 @@ public:
   {
     std::array<std::uint32_t, 3> nodes = {};
     Vector_3d x = {}, y = {}; // a frame of its plane
-    // For both coordinates of each node, the derivative of the deformation in the frame as the coordinate grows: the
-    // entries 00, 01, 10 and 11.
+    // For both coordinates of each node, the derivative of the deformation, in the frame, with respect to this
+    // coordinate: the entries 00, 01, 10 and 11.
     std::array<std::array<double, 4>, 6> motions = {};
 
     bool is_empty() const { return nodes[0] == nodes[1]; }
   };
 
-  // There are n x n squares on a side of the cube.
+  // Each side of the cube has n x n squares.
   explicit Sphere_cells(std::size_t n)
     : m_n(n)
   {
@@ -79,14 +80,14 @@ public:
   const std::vector<Tangent_frame>& frames() const { return m_frames; } // of the nodes
   const std::vector<Cell>& cells() const { return m_cells; }            // some of them are empty
 
-  // the index of the cell that is in direction p, in each lane
+  // The index of the cell that contains direction p, in each lane.
   template <class FT>
   std::array<std::size_t, Lanes<FT>::width> cells_at(const Vector_3<FT>& p) const
   {
     return Basic_cube_location<FT>(p, m_n).half().index;
   }
 
-  // how the deformation moves p, if it moves each node by its step
+  // The displacement of p by the deformation that moves each node by its step.
   template <class FT>
   Vector_3<FT> step_at(const Vector_3<FT>& p, const std::vector<Vector_3d>& steps) const
   {
@@ -114,7 +115,7 @@ private:
     const double a = length(to_1), b = dot(to_2, result.x);
     result.y = normalized(to_2 - b * result.x);
     const double c = dot(to_2, result.y);
-    // the gradients of the functions that are 1 at one node and 0 at the others
+    // The gradients of the basis functions, which are 1 at one node and 0 at the others.
     const std::array<double, 2> slope_1 = {1. / a, -b / (a * c)}, slope_2 = {0., 1. / c};
     const std::array<std::array<double, 2>, 3> slopes = {
         {{-slope_1[0] - slope_2[0], -slope_1[1] - slope_2[1]}, slope_1, slope_2}};
@@ -129,7 +130,7 @@ private:
   }
 
   std::size_t m_n;
-  std::vector<std::uint32_t> m_node_at; // of the places of a Cube_location, which has those on edges more than once
+  std::vector<std::uint32_t> m_node_at; // of the nodes of a Cube_location, which has nodes on edges more than once
   std::vector<Tangent_frame> m_frames;
   std::vector<Cell> m_cells;
 };

@@ -31,17 +31,18 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The part of the objective that depends on one vertex, as a function of the two tangential coordinates of the vertex:
-// the sum over the faces of its star of E or, if the sharpness s is positive, of s psi(E), see Face_objective, each times
-// the area of the face on the surface, if the energy weighs faces by it. Where there is no level R (eq. 7 of the
-// paper), the largest energy of the star at its current state takes its place, which changes neither the minimiser nor
-// the direction of the steps and never overflows there.
+// The part of the objective that depends on one vertex, as a function of the vertex's two tangential coordinates: the
+// sum over the faces of its star of E or, if the sharpness s is positive, of s psi(E), see Face_objective, each times
+// the area of the face on the surface, if the energy weighs faces by area. If there is no level R (eq. 7 of the paper),
+// the largest energy of the star at its current position is used instead, which changes neither the minimizer nor the
+// direction of the steps and cannot overflow there.
 //
-// One object serves many vertices: it only allocates when it meets a star larger than all before. With a packed number
-// type it serves as many stars at once as that has lanes. It has mutable state, and is used by one thread at a time.
+// One object serves many vertices: it allocates only for a star larger than all previous ones. With a packed number
+// type it serves as many stars at once as the type has lanes. It has mutable state, and is used by one thread at a
+// time.
 //
-// Exponentials, whose operations have to wait for each other, are taken in loops of their own: the shorter a loop is,
-// the more of its iterations are in flight at once.
+// Exponentials are long chains of dependent operations and are computed in separate loops: the shorter a loop is, the
+// more of its iterations are executed concurrently.
 template <class Energy, template <class> class Image_measure, class FT = double>
 class Star_energy
 {
@@ -50,14 +51,14 @@ public:
     : m_energy(energy)
   {}
 
-  // The objective of the stars that come next: E is evaluated on the sphere of squared radius `squared_radius`.
+  // Sets the objective of the following stars: E is evaluated on the sphere of squared radius `squared_radius`.
   void set_objective(double squared_radius, const Face_objective& objective)
   {
     m_scale = squared_radius;
     m_objective = objective;
   }
 
-  // Takes a star; the positions are on the unit sphere.
+  // Loads a star; the positions are on the unit sphere.
   void load(const Star_view<FT>& star, const Vector_3d* positions)
   {
     m_star = star;
@@ -80,7 +81,7 @@ public:
       Face& face = m_faces[j];
       const FT scale = m_scale;
       const Vector_3<FT>&p = face.offset, &q = m_faces[j + 1].offset;
-      face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that does not move
+      face.fixed_i = scale * star.opposite_0(j) * squared_length(q - p); // the part of I that is constant
       face.measure = Measure(p, q);
       const FT inverse_doubled_area = star.inverse_doubled_area(j);
       const FT doubled_area = this->doubled_area(j);
@@ -99,10 +100,11 @@ public:
       m_faces[j].weight = weight_of(m_faces[j].energy.value);
   }
 
-  // the length of the shortest edge at the vertex, the yardstick of its steps
+  // The length of the shortest edge at the vertex, the unit of its steps.
   FT shortest_edge() const { return square_root(m_squared_shortest_edge); }
 
-  // the objective at the current position, with its gradient and Hessian; relative to the largest energy where there are no levels
+  // The objective at the current position, with its gradient and Hessian; relative to the largest energy if there is no
+  // level.
   FT derivatives(std::array<FT, 2>& gradient, std::array<FT, 3>& hessian) const
   {
     return evaluate<true>(gradient, hessian);
@@ -114,8 +116,8 @@ public:
     return evaluate<false>(gradient, unused);
   }
 
-  // the objective with the vertex at the tangential coordinates (x, y), or infinity if a face is not safely positive
-  // there
+  // The objective with the vertex at the tangential coordinates (x, y), or infinity if a face is not safely positive
+  // there.
   FT operator()(const FT& x, const FT& y) const
   {
     auto is_valid = x * x + y * y < max_squared_step;
@@ -132,12 +134,12 @@ public:
       const FT determinant = x * n[0] + y * n[1] + (1. + z) * n[2];
       const FT lp = squared_length(to_p), lq = squared_length(to_q);
       is_valid = is_valid && (is_safely_positive(determinant, lp + lq) || is_padding(j));
-      if constexpr(std::is_same<FT, double>::value) // in lanes, to look costs more than to go on
+      if constexpr(std::is_same<FT, double>::value) // in lanes, the test costs more than it saves
         if(!is_valid)
           return infinite;
       const FT i = m_faces[j].fixed_i + FT(m_scale) * (m_star.opposite_2(j) * lp + m_star.opposite_1(j) * lq);
       const FT ratio = m_faces[j].to_d * Measure::value(determinant, n);
-      const FT d = select(is_valid, unless_padding(j, ratio, FT(1.)), FT(1.)); // energies are for positive ones
+      const FT d = select(is_valid, unless_padding(j, ratio, FT(1.)), FT(1.)); // energies require positive arguments
       m_faces[j].new_energy = m_energy(i, d);
     }
     if(!any(is_valid))
@@ -158,7 +160,7 @@ private:
 
   using Measure = Image_measure<FT>;
 
-  // what is known of face j, whose corners are the vertex and its neighbors j and j + 1
+  // The data of face j, whose corners are the vertex and its neighbors j and j + 1.
   struct Face
   {
     Vector_3<FT> offset; // of neighbor j
@@ -166,7 +168,7 @@ private:
     FT fixed_i, to_d;
     Energy_derivatives_3<FT> energy;
     FT weight;             // a exp(s (E - R))
-    mutable FT new_energy; // the last one of operator()
+    mutable FT new_energy; // of the last call of operator()
   };
 
   auto is_padding(std::size_t j) const
@@ -181,7 +183,7 @@ private:
     return select(is_padding(j), otherwise, value);
   }
 
-  // that of the face on the surface, or 1 for a padding row
+  // The doubled area of the face on the surface, or 1 for a padding row.
   FT doubled_area(std::size_t j) const { return 1. / unless_padding(j, m_star.inverse_doubled_area(j), FT(1.)); }
 
   FT weighted(std::size_t j, const FT& value) const
@@ -192,7 +194,7 @@ private:
       return value;
   }
 
-  // a exp(s (E - R)), see Face_objective
+  // a exp(s (E - R)), see Face_objective.
   FT weight_of(const FT& energy) const
   {
     return m_objective.share * clamped_exponential(m_objective.sharpness * (energy - m_level));
@@ -200,7 +202,7 @@ private:
 
   double linear_weight() const { return m_objective.sharpness * (1. - m_objective.share); }
 
-  // s psi(E), given the weight
+  // s psi(E), given the weight.
   FT value_of(std::size_t j, const FT& energy, const FT& weight) const
   {
     return unless_padding(j, linear_weight() * energy + weight, FT(0.));

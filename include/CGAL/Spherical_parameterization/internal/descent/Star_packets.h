@@ -36,13 +36,13 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How many stars or faces are laid out side by side, a multiple of all numbers of lanes.
+// The number of stars or faces that are stored side by side, a multiple of all numbers of lanes.
 constexpr std::size_t packet_width = 8;
 static_assert(packet_width % Lanes<Two_lanes>::width == 0 && packet_width % Lanes<Four_lanes>::width == 0 &&
                   packet_width % Lanes<Eight_lanes>::width == 0,
               "A packet is worked on lane by lane without a rest.");
 
-// Where number k of the rest shape of a corner is: those of packet_width corners lie side by side.
+// The index of entry k of the rest shape of a corner: those of packet_width corners are adjacent.
 inline std::size_t rest_index(std::size_t corner, std::size_t k)
 {
   return 4 * (corner - corner % packet_width) + packet_width * k + corner % packet_width;
@@ -58,11 +58,11 @@ Vector_3<FT> points_in_lanes(const std::uint32_t* vertices, const Vector_3d* pos
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-// One star, or several of them lane by lane, where they lie in memory: the numbers of the vertices and their
-// neighbours, and the rest shapes of the faces. Corner j of lane k is the one of the face
-// (vertex, neighbor j, neighbor j + 1) and has the index first + j * stride + k in the arrays of the neighbors and, by
-// rest_index(), of the rest shapes. A star that has fewer faces than others of its packet, which its degree tells, is
-// padded with its first neighbor, and with 0 for the rest shapes.
+// A view of one star, or of several stars lane by lane: the indices of the vertices and their neighbors, and the rest
+// shapes of the faces. Corner j of lane k is that of the face (vertex, neighbor j, neighbor j + 1) and has the index
+// first + j * stride + k in the arrays of the neighbors and, by rest_index(), of the rest shapes. A star with fewer
+// faces than others of its packet, as indicated by its degree, is padded with its first neighbor, and with 0 for the
+// rest shapes.
 template <class FT>
 struct Star_view
 {
@@ -82,31 +82,31 @@ struct Star_view
 
   std::uint32_t neighbor(std::size_t j, std::size_t lane = 0) const { return neighbors[first + j * stride + lane]; }
 
-  // see Rest_triangle
+  // See Rest_triangle.
   FT opposite_0(std::size_t j) const { return rest(j, 0); }
   FT opposite_1(std::size_t j) const { return rest(j, 1); }
   FT opposite_2(std::size_t j) const { return rest(j, 2); }
   FT inverse_doubled_area(std::size_t j) const { return rest(j, 3); }
   Basic_rest_triangle<FT> rest(std::size_t j) const { return {rest(j, 0), rest(j, 1), rest(j, 2), rest(j, 3)}; }
 
-  // whether row j is beyond the end of the star
+  // Whether row j is beyond the end of the star.
   auto is_padding(std::size_t j) const { return !(FT(static_cast<double>(j)) < degree); }
 
   FT rest(std::size_t j, std::size_t k) const { return Lanes<FT>::load(rests + rest_index(first + j * stride, k)); }
 };
 
-// The stars of many vertices, laid out such that several of them can be worked on at once: `width` stars of the same
-// independent set, and wherever possible of the same number of faces, make a packet, in which they lie side by side as
-// Star_view wants them. A star of very many faces is a packet by itself.
+// The stars of many vertices, stored so that several of them can be processed at once: `width` stars of the same
+// independent set, and if possible with the same number of faces, form a packet, in which they are interleaved as
+// required by Star_view. A star with very many faces is a packet by itself.
 //
-// Each star has a place; those of a packet are consecutive, and so are the packets of an independent set. A packet that
-// is not full has its first star in the remaining places.
+// Each star has a slot, called its place. The slots of a packet are consecutive, and so are the packets of an
+// independent set. The remaining slots of a packet that is not full contain its first star.
 //
-// Corners and places are counted in 32 bits. There are at most 6 n corners of n vertices, and padding adds less than 2
-// n: within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the
-// difference of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet as much
-// again; so does the last chunk of each set; a star by itself, of which there are less than n / 5, wastes at most 7.
-// read_mesh() refuses meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
+// Corners and slots are counted by 32-bit indices. There are at most 6 n corners of n vertices, and padding adds less
+// than 2 n: within a chunk of 1024 vertices of a set, which are ordered by degree, a packet wastes at most 8 times the
+// difference of its largest and smallest degree, which telescopes to less than 8 * 32, and the last packet at most as
+// much again; so does the last chunk of each set; a star by itself, of which there are fewer than n / 5, wastes at most
+// 7. read_mesh() rejects meshes with 2^31 halfedges, that is, n > 2^31 / 6, so that 8 n is below 2^32.
 class Star_packets
 {
 public:
@@ -118,8 +118,7 @@ public:
     std::uint32_t first_place, number_of_stars, number_of_rows, stride;
   };
 
-  // Sets memory aside for so many stars of six faces, the mean of a closed mesh, with a little to spare for the lanes
-  // that stay empty.
+  // Reserves memory for this number of stars with six faces, the mean of a closed mesh, and some more for padding.
   void reserve(std::size_t n_vertices)
   {
     const std::size_t n_places = n_vertices + n_vertices / 8 + width, n_corners = 6 * n_places;
@@ -130,8 +129,8 @@ public:
     m_rest.reserve(4 * n_corners);
   }
 
-  // Makes room for the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1]
-  // are independent. degree_of(v) is the number of neighbors of a vertex.
+  // Allocates the stars of `vertices`, of which vertices[first_of_set[k]], ..., vertices[first_of_set[k + 1] - 1] are
+  // independent. degree_of(v) is the number of neighbors of a vertex.
   template <class DegreeOf>
   void assign(const std::vector<std::uint32_t>& vertices, const std::vector<std::size_t>& first_of_set,
               const DegreeOf& degree_of)
@@ -178,8 +177,8 @@ public:
     resize(m_rest, 4 * n_corners);
   }
 
-  // Fills a packet of stars of a mesh: ring_of(v)[j] is number j of the neighbors of a vertex, and shape_of(v, a, b) is the
-  // rest shape of a face in each lane, whose vertices are v[k], a[k] and b[k] in lane k.
+  // Fills a packet with stars of a mesh: ring_of(v)[j] is neighbor j of a vertex, and shape_of(v, a, b) is the rest
+  // shape of a face in each lane, whose vertices are v[k], a[k] and b[k] in lane k.
   template <class FT, class RingOf, class ShapeOf>
   void fill(std::size_t packet, const RingOf& ring_of, const ShapeOf& shape_of)
   {
@@ -214,7 +213,7 @@ public:
     }
   }
 
-  // One star, to copy it.
+  // A single star, to be copied.
   Star_view<double> star(std::size_t place) const
   {
     const auto next = std::upper_bound(m_packets.begin(), m_packets.end(), place,
@@ -236,7 +235,7 @@ public:
   std::uint32_t vertex(std::size_t place) const { return m_vertices[place]; }
   const std::uint32_t* vertices(const Packet& p) const { return m_vertices.data() + p.first_place; }
 
-  // The stars of a packet from `lane` on. A single star has no padding.
+  // The stars of a packet, starting at `lane`. A single star has no padding.
   template <class FT>
   Star_view<FT> view(const Packet& p, std::size_t lane) const
   {
@@ -253,16 +252,17 @@ public:
             Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(m_degrees[place + k]); })};
   }
 
-  // number k of the rest shapes of the corners from this one on, in the lanes of a row
+  // Entry k of the rest shapes of the corners starting at this one, in the lanes of a row.
   template <class FT = double>
   FT rest(std::size_t corner, std::size_t k) const
   {
     return Lanes<FT>::load(m_rest.data() + rest_index(corner, k));
   }
 
-  // Calls f(is_of_row, corner, v, a, b) for the faces (v, a, b) of a packet that belong to their vertex v, in a fixed order.
-  // A face belongs to the vertex whose place is first. Where all faces of a row do, as nearly everywhere in the first set, to
-  // which most faces of a mesh belong, they are called one after the other, with `is_of_row`.
+  // Calls f(is_of_row, corner, v, a, b) for the faces (v, a, b) of a packet that belong to their vertex v, in a fixed
+  // order. A face belongs to its vertex with the smallest slot. If all faces of a row belong to their vertices, as
+  // almost everywhere in the first set, to which most faces of a mesh belong, they are passed consecutively, with
+  // `is_of_row`.
   template <class Function>
   void for_each_face(std::size_t packet, const std::vector<std::uint32_t>& places, const Function& f) const
   {
@@ -276,7 +276,7 @@ public:
       {
         const std::uint32_t place = p.first_place + static_cast<std::uint32_t>(lane), a = m_neighbors[corner + lane],
                             b = m_neighbors[next + lane];
-        // A padding row has the first neighbor on both sides. Branches would be mispredicted.
+        // A padding row has the first neighbor on both sides. Bit operations avoid mispredicted branches.
         belongs[lane] =
             static_cast<int>(place < places[a]) & static_cast<int>(place < places[b]) & static_cast<int>(a != b);
       }
@@ -309,7 +309,7 @@ private:
     }
   }
 
-  // Sets the rest shapes of the corners from this one on.
+  // Sets the rest shapes of the corners starting at this one.
   template <class FT>
   void set_rest(std::size_t corner, const Basic_rest_triangle<FT>& shape)
   {
@@ -320,11 +320,12 @@ private:
     set(3, shape.inverse_doubled_area);
   }
 
-  // Vertices are ordered by their numbers of faces in chunks: near in memory, but enough to fill packets of one number.
+  // Vertices are ordered by degree within chunks: small enough for locality, large enough to fill packets of equal
+  // degree.
   static constexpr std::size_t chunk_size = 1024;
-  static constexpr std::size_t max_rows = 32; // of a packet of several stars: to pad them for longer ones wastes memory
+  static constexpr std::size_t max_rows = 32; // of a packet of several stars: padding for longer stars wastes memory
 
-  // Orders vertices by their numbers of neighbors; those of the same number, or of more than max_rows, stay as they were.
+  // Orders vertices by degree; vertices of the same degree, or of more than max_rows, keep their order.
   template <class DegreeOf>
   static void order_by_degree(const std::uint32_t* begin, const std::uint32_t* end, const DegreeOf& degree_of,
                               std::vector<std::uint32_t>& order)
@@ -341,8 +342,8 @@ private:
       order[next[key_of(*v)]++] = *v;
   }
 
-  // A vector that grows a little at a time takes twice the memory that it needs, and copies what is of no use any more.
-  // What it gets is left to fill(), which touches the memory in parallel.
+  // Growing a vector step by step takes twice the memory and copies contents that are no longer needed. New elements
+  // are not initialized here; fill() touches the memory in parallel.
   template <class T>
   static void resize(boost::container::vector<T>& numbers, std::size_t n)
   {
@@ -357,7 +358,7 @@ private:
 
   std::vector<Packet> m_packets;
   std::vector<std::size_t> m_first_packet;
-  std::vector<std::uint32_t> m_vertices, m_degrees; // of the places
+  std::vector<std::uint32_t> m_vertices, m_degrees; // of the slots
   boost::container::vector<std::uint32_t> m_neighbors;
   boost::container::vector<double> m_rest;
 };

@@ -37,12 +37,12 @@ namespace CGAL::Spherical_parameterization::internal {
 
 using Matrix_4 = std::array<std::array<double, 4>, 4>;
 
-// How the objective changes as the sphere is deformed: for each cell the sums over its faces of the first two derivatives
-// of psi(E(I, d)) in the four entries of the derivative A of the deformation, at A = 1; and those in the level R and the
-// logarithm t of the radius.
+// The derivatives of the objective with respect to a deformation of the sphere: for each cell, the sums over its faces
+// of the first two derivatives of psi(E(I, d)) with respect to the four entries of the derivative A of the deformation,
+// at A = 1; and the derivatives with respect to the level R and the logarithm t of the radius.
 //
-// A deformation changes the I of a face, which is tr M for the sum M of opposite_k e_k e_k^T over its edges, to
-// tr(A M A^T), and d to d det A. With t, both grow by exp(2 t).
+// A deformation changes the invariant I of a face from tr M, where M is the sum of opposite_k e_k e_k^T over its edges,
+// to tr(A M A^T), and d to d det A. The variable t multiplies both by exp(2 t).
 template <class Space>
 class Strain_sums
 {
@@ -51,7 +51,8 @@ public:
     : m_space(space)
   {}
 
-  // Sums up the faces of the map at hand. Several parts of them are summed up at once, and added in order.
+  // Computes the sums over the faces of the current map. Several parts are computed concurrently and added in a fixed
+  // order.
   void sum_up(const Sphere_cells& grid, const Measured_faces& faces, const Star_packets& stars,
               const std::vector<Vector_3d>& positions, double radius, const Face_objective& objective,
               Execution execution)
@@ -66,7 +67,7 @@ public:
                                               add_faces<FT>(lanes, n, grid, radius * radius, objective, parts[part]);
                                             });
     m_cells = std::move(parts[0]);
-    constexpr std::size_t cells_per_block = 64; // some five microseconds
+    constexpr std::size_t cells_per_block = 64; // about five microseconds
     for_each_in_blocks(execution, 0, m_cells.size(), cells_per_block, [&](std::size_t cell) {
       for(std::size_t part = 1; part < n_parts; ++part)
         for(std::size_t k = 0; k < n_sums; ++k)
@@ -78,7 +79,7 @@ public:
         m_shared[k] += sums[first_shared + k];
   }
 
-  // The derivatives in the entries 00, 01, 10 and 11 of A.
+  // The derivatives with respect to the entries 00, 01, 10 and 11 of A.
   std::array<double, 4> gradient(std::size_t cell) const { return entries(cell, 0); }
   std::array<double, 4> gradient_in_level(std::size_t cell) const { return entries(cell, 3); }
   std::array<double, 4> gradient_in_radius(std::size_t cell) const { return entries(cell, 6); }
@@ -99,14 +100,15 @@ public:
     return h;
   }
 
-  // the derivatives R, t, R R, R t and t t
+  // The derivatives with respect to R, t, R R, R t and t t.
   const std::array<double, 5>& of_level_and_radius() const { return m_shared; }
 
 private:
-  // At A = 1, the first derivatives are symmetric, of which 00, 01 and 11 are written: from 0 on the gradient, from 3 on its
-  // derivative in R, from 6 on that in t. The second ones come from products of first ones, from 9 on 00 00, 00 01, 00 11,
-  // 01 01, 01 11 and 11 11; from the second derivatives of I, from 15 on, which are those of 2 M in each row of A; and from
-  // those of the determinant, 18. From 19 on they are those in R and t alone: R, t, R R, R t and t t.
+  // At A = 1, the first derivatives are symmetric, so only 00, 01 and 11 are stored: the gradient from index 0, its
+  // derivative with respect to R from 3, and that with respect to t from 6. The second derivatives consist of products
+  // of first ones, from 9: 00 00, 00 01, 00 11, 01 01, 01 11 and 11 11; of the second derivatives of I, from 15, which
+  // are those of 2 M in each row of A; and of those of the determinant, 18. From 19 on are the derivatives with respect
+  // to R and t alone: R, t, R R, R t and t t.
   static constexpr std::size_t first_shared = 19, n_sums = 24;
   static_assert(n_sums % packet_width == 0, "They are added in lanes.");
   using Sums = std::array<double, n_sums>;
@@ -117,7 +119,7 @@ private:
     return {s[first], s[first + 1], s[first + 1], s[first + 2]};
   }
 
-  // psi and what of it there is to sum up, see Objective: a S is a ((1 - 1/b) R + (R/b) exp(b (E/R - 1)))
+  // psi and its derivatives, see Objective: a S is a ((1 - 1/b) R + (R/b) exp(b (E/R - 1)))
   template <class FT>
   struct Weights
   {
@@ -143,8 +145,8 @@ private:
         *weight *= factor;
     }
 
-    FT first = 1., second = 0.;  // derivatives in E
-    FT r = 0., er = 0., rr = 0.; // in R, and mixed
+    FT first = 1., second = 0.;  // derivatives with respect to E
+    FT r = 0., er = 0., rr = 0.; // with respect to R, and mixed
   };
 
   template <class FT>
@@ -180,12 +182,12 @@ private:
       di[1] += opposite[k] * x * y;
       di[2] += opposite[k] * y * y;
     }
-    const FT scale = 2. * i / (di[0] + di[2]); // the face is not quite in the plane of the cell
+    const FT scale = 2. * i / (di[0] + di[2]); // the face is not exactly in the plane of the cell
     for(FT& entry : di)
       entry *= scale;
     const std::array<FT, 3> dd = {d, FT(0.), d};
     const std::array<FT, 3> de = {e.i * di[0] + e.d * d, e.i * di[1], e.i * di[2] + e.d * d};
-    const FT ei_t = 2. * (e.ii * i + e.id * d), ed_t = 2. * (e.id * i + e.dd * d); // derivatives in t
+    const FT ei_t = 2. * (e.ii * i + e.id * d), ed_t = 2. * (e.id * i + e.dd * d); // derivatives with respect to t
     const FT e_t = 2. * (e.i * i + e.d * d), e_tt = 2. * (e_t + ei_t * i + ed_t * d);
 
     std::array<std::array<double, width>, n_sums> terms;

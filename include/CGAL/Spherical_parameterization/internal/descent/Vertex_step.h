@@ -25,15 +25,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How a vertex moves, and how its energy measures an image: the steps of block coordinate descent. A step sets
-// `step` to the tangential coordinates that the vertex shall move to, where the energy of its star is finite and lower,
-// and returns whether it shall move.
+// The steps of block coordinate descent: how a vertex moves, and how its energy measures an image. A step sets `step`
+// to the tangential coordinates of the new position, where the energy of the star is finite and lower, and returns
+// whether there is such a position.
 
-// One damped Newton step. The two by two Hessian in the tangent plane is made positive definite by taking the absolute
+// One damped Newton step. The 2 x 2 Hessian in the tangent plane is made positive definite by taking the absolute
 // values of its eigenvalues. The step is first tried at `over_relaxation` times its length, which makes block
-// coordinate descent carry changes over the surface many times faster, then at its own length, then at fractions of it
-// until the energy falls (Armijo's rule). It needs two evaluations of the star, where the gradient step of the paper
-// needs over ten, and far fewer sweeps.
+// coordinate descent propagate changes over the surface many times faster, then at its own length, then at fractions of
+// it until the energy decreases sufficiently (Armijo's rule). It needs two evaluations of the star, where the gradient
+// step of the paper needs more than ten, and far fewer sweeps.
 class Newton_step
 {
 public:
@@ -61,7 +61,8 @@ public:
     const FT largest = absolute(mean) + radius;
     const FT sign = select(mean < 0., FT(-1.), FT(1.));
     const FT smallest = maximum(absolute(absolute(mean) - radius), min_ratio * largest);
-    // In the direction of the eigenvalue of larger modulus the inverse is 1 / largest, across it 1 / smallest.
+    // The inverse has the eigenvalue 1 / largest in the direction of the eigenvalue of larger modulus, and 1 / smallest
+    // orthogonal to it.
     const FT middle = 0.5 * (1. / largest + 1. / smallest);
     const FT spread = select(radius > min_radius, sign * 0.5 * (1. / largest - 1. / smallest) * (1. / radius), FT(0.));
     const FT x = -(middle * g[0] + spread * (half * g[0] + h[1] * g[1]));
@@ -72,7 +73,7 @@ public:
                    x * x + y * y > shortest * shortest;
     auto is_moved = is_open && !is_open;
     std::array<FT, 2> accepted = {FT(0.), FT(0.)};
-    // Next to the minimum, a step is longer than what it gains can be seen: the gain is of second order.
+    // Near the minimum, the gain of a step is of second order and may be below rounding error.
     const FT rounding = 1e-14 * absolute(start);
     const auto is_tiny = -slope < rounding;
     const auto try_step = [&](double t, const FT& bound) {
@@ -95,17 +96,18 @@ public:
 private:
   static constexpr double min_ratio = 1e-3; // of the eigenvalues: a flat direction lengthens a step at most 1000-fold
   static constexpr double min_radius = (std::numeric_limits<double>::min)(); // whose reciprocal is finite
-  static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter ones are not worth an evaluation
+  static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter steps are not worth an evaluation
   static constexpr double armijo = 1e-4;  // the usual constant of sufficient decrease (Nocedal and Wright, section 3.1)
-  static constexpr int max_halvings = 12; // down to 1/2048 of the step; else the vertex waits for the next sweep
+  static constexpr int max_halvings = 12; // down to 1/2048 of the step; then the vertex waits for the next sweep
 
   double m_over_relaxation = 1.7;
 };
 
-// The step of the BLD paper, eq. 8: gradient descent on the flat areas. It is as long as the shortest edge at the
-// vertex at first, is projected to the sphere, and is shortened to 0.8 of its length until the energy falls and no face
-// of the star is inverted; a vertex whose step gets shorter than 1e-10 of that edge stays. (The paper does not say what
-// its 1e-10 is relative to; an absolute length would freeze all that the initial map has shrunk to such a size.)
+// The step of the BLD paper, eq. 8: gradient descent on the flat areas. The trial step is as long as the shortest edge
+// at the vertex. It is projected to the sphere and multiplied by 0.8 until the energy decreases and no face of the star
+// is inverted. If the step becomes shorter than 1e-10 of that edge, the vertex does not move. (The paper does not say
+// what its 1e-10 is relative to; an absolute length would freeze all parts that the initial map has shrunk to such a
+// size.)
 class Gradient_step
 {
 public:
@@ -126,7 +128,7 @@ public:
     for(double t = edge; t >= min_step * edge; t *= shrinking)
     {
       const double scale =
-          -t / (size * std::sqrt(1. + t * t)); // the tangential part after the projection to the sphere
+          -t / (size * std::sqrt(1. + t * t)); // the tangential component after the projection to the sphere
       const double x = scale * g[0], y = scale * g[1];
       if(energy(x, y) < start)
       {

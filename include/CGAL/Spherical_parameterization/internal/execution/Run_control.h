@@ -25,7 +25,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What accompanies a run from stage to stage: the caller's visitor, behind an interface, the clock and the report.
+// The context of a run across all stages: the caller's visitor, behind an interface, the clock and the report.
 class Run_control
 {
 public:
@@ -35,7 +35,7 @@ public:
     , m_report(report)
   {}
 
-  // the same of a run whose report is not given away, such as one that runs beside others, without a visitor
+  // The same for a run without a visitor whose report is not returned, such as one that runs concurrently with others.
   explicit Run_control(double max_seconds = 0.)
     : m_max_seconds(max_seconds)
     , m_report(m_own_report)
@@ -44,14 +44,14 @@ public:
   Run_control(const Run_control&) = delete;
   Run_control& operator=(const Run_control&) = delete;
 
-  // see SphericalParameterizationVisitor
+  // See SphericalParameterizationVisitor.
   virtual void on_initialization_begin(std::size_t /* number_of_vertices */) {}
   virtual void on_level(std::size_t /* number_of_vertices */) {}
   virtual void on_initialization_end() {}
   virtual void after_iteration(std::size_t /* iteration */, double /* energy */, double /* radius */) {}
   virtual void on_optimization_end() {}
 
-  // Asks the visitor and the clock whether to go on. Once either has said no, it stays so.
+  // Whether the visitor and the clock allow the run to continue. Once the result is false, it stays false.
   bool go_further(std::size_t iteration, double energy)
   {
     if(m_stop_reason == NOT_RUN && !visitor_goes_further(iteration, energy))
@@ -59,7 +59,7 @@ public:
     return check_clock();
   }
 
-  // Asks the clock alone, which costs next to nothing.
+  // Checks only the clock, which costs almost nothing.
   bool check_clock()
   {
     if(m_stop_reason == NOT_RUN && m_max_seconds > 0. && seconds() > m_max_seconds)
@@ -67,13 +67,13 @@ public:
     return m_stop_reason == NOT_RUN;
   }
 
-  // STOPPED or TIME_LIMIT, or NOT_RUN if the run may go on
+  // STOPPED or TIME_LIMIT, or NOT_RUN if the run may continue.
   Stop_reason stop_reason() const { return m_stop_reason; }
   bool is_stopped() const { return m_stop_reason != NOT_RUN; }
 
   Parameterization_report& report() { return m_report; }
 
-  // returns the seconds since the last call, or since the beginning
+  // Returns the seconds since the last call, or since the beginning.
   double lap()
   {
     const double now = seconds(), lap = now - m_last_lap;
@@ -96,8 +96,8 @@ private:
   Stop_reason m_stop_reason = NOT_RUN;
 };
 
-// Calls f(begin, end) for blocks as for_each_block() does, and asks the control after every few of them, some milliseconds of
-// work. Returns whether all has been done.
+// Calls f(begin, end) for blocks like for_each_block(), and checks the control every few blocks, after some
+// milliseconds of work. Returns whether all blocks have been processed.
 template <class Function>
 bool for_each_block_until_stopped(Run_control& control, const Execution& execution, std::size_t n,
                                   std::size_t block_size, const Function& f)

@@ -27,9 +27,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How loops are run, in one thread or in several, is a value, so that nothing below the parameterizers is compiled once
-// for each tag. The value holds the functions of the thread pool. So what is compiled without TBB is the same as what
-// is compiled with it, but for `execution_of<Parallel_tag>()`, and both may be linked into one program.
+// The execution of loops, in one thread or in several, is determined by a value, so that code below the parameterizers
+// is not compiled for each tag. The value contains the functions of the thread pool. So code compiled without TBB is
+// the same as code compiled with it, except for `execution_of<Parallel_tag>()`, and both may be linked into one
+// program.
 
 // Refers to a function f(begin, end) without owning it.
 class Block_function
@@ -50,7 +51,7 @@ private:
   void (*m_call)(const void*, std::size_t, std::size_t);
 };
 
-// A pointer for each thread that asks, null at first.
+// A pointer for each thread that requests it, initially null.
 class Thread_pointers
 {
 public:
@@ -68,10 +69,10 @@ inline void run_in_one_thread(std::size_t n, const Block_function& f)
 struct Execution // sequential by default
 {
   void (*run)(std::size_t n, const Block_function& f) = &run_in_one_thread;
-  std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = nullptr; // null: there is one thread only
+  std::unique_ptr<Thread_pointers> (*make_thread_pointers)() = nullptr; // null: there is only one thread
 };
 
-// Loops in the thread pool of TBB, whatever threads it has. The loop may come from within a task of the caller's.
+// Loops in the thread pool of TBB, with any number of threads. The loop may be called from within a task of the caller.
 Execution parallel_execution();
 
 template <class ConcurrencyTag>
@@ -90,11 +91,11 @@ Execution execution_of()
     return Execution();
 }
 
-constexpr std::size_t usual_block_size = 1024; // of a loop: enough that handing it out costs nothing
+constexpr std::size_t usual_block_size = 1024; // of a loop: large enough to make the overhead negligible
 
 // Calls f(begin, end) for consecutive blocks that cover [first, last), in parallel if there is more than one. The
-// blocks do not depend on the number of threads: block k starts at first + k * block_size. So whatever is reduced block
-// by block and then over the blocks in order has the same bits however it was run.
+// blocks do not depend on the number of threads: block k starts at first + k * block_size. So reductions within blocks
+// and then over the blocks in order have bitwise identical results.
 template <class Function>
 void for_each_block(const Execution& execution, std::size_t first, std::size_t last, std::size_t block_size,
                     const Function& f)
@@ -118,9 +119,9 @@ void for_each_in_blocks(const Execution& execution, std::size_t first, std::size
   });
 }
 
-// Calls f() and g(), in parallel or one after the other. Neither may see what the other one does. Loops within them are
-// parallel as well; but a thread that runs one of the two does not help with the loops of the other, so g() should be
-// the shorter one.
+// Calls f() and g(), in parallel or one after the other. Neither may depend on the effects of the other one. Loops
+// within them are parallel as well; but a thread that runs one of the two does not help with the loops of the other, so
+// g() should be the shorter one.
 template <class Function, class OtherFunction>
 void run_both(const Execution& execution, const Function& f, const OtherFunction& g)
 {
@@ -132,7 +133,7 @@ void run_both(const Execution& execution, const Function& f, const OtherFunction
   });
 }
 
-// One copy of a scratch object for each thread that asks for it, or just one if the execution is sequential.
+// One copy of a scratch object for each thread that requests it, or just one if the execution is sequential.
 template <class T>
 class Per_thread
 {
@@ -159,7 +160,7 @@ public:
 private:
   T m_exemplar;
   std::unique_ptr<Thread_pointers> m_pointers;
-  std::mutex m_mutex; // of the objects, of which there are as many as threads
+  std::mutex m_mutex; // of the objects, one per thread
   std::vector<std::unique_ptr<T>> m_objects;
 };
 

@@ -28,10 +28,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The loop may come from within a task of the caller's. Two things keep that from showing: a task group context of its
-// own, as one that is cancelled along with the caller's would skip blocks silently, and isolation, as a thread that
-// waits for its blocks would otherwise take up another task of the caller's, long beyond any time limit. The blocks are
-// run with the rounding mode of the caller.
+// The loop may be called from within a task of the caller. Two measures make this safe: a task group context of its
+// own, because one that is cancelled along with the caller's would silently skip blocks, and isolation, because a
+// thread that waits for its blocks could otherwise start another task of the caller, far beyond any time limit. The
+// blocks are run with the rounding mode of the caller.
 inline void run_in_thread_pool(std::size_t n, const Block_function& f)
 {
   tbb::task_group_context context(tbb::task_group_context::isolated,

@@ -27,16 +27,16 @@ template <template <class...> class Expression, class... T>
 struct Is_detected<std::void_t<Expression<T...>>, Expression, T...> : std::true_type
 {};
 
-// whether there is a type `Expression<T...>`, that of an expression with these types
+// Whether there is a type `Expression<T...>`, that of an expression with these types.
 template <template <class...> class Expression, class... T>
 constexpr bool is_detected = Is_detected<void, Expression, T...>::value;
 
-// The members that a model of a concept need not have, and what their absence means.
+// The optional members of models of concepts, and their defaults.
 
 template <class Policy>
 using Is_valid_result = decltype(std::declval<const Policy&>().is_valid());
 
-// returns whether the parameters of a policy are in their ranges; a policy without parameters is valid
+// Returns whether the parameters of a policy are in their ranges; a policy without parameters is valid.
 template <class Policy>
 bool is_valid_policy(const Policy& policy)
 {
@@ -49,7 +49,7 @@ bool is_valid_policy(const Policy& policy)
 template <class Policy>
 using Next_phase_result = decltype(std::declval<Policy&>().next_phase());
 
-// starts the next phase of a policy and returns whether there is one; most policies have a single phase
+// Starts the next phase of a policy and returns whether there is one; most policies have a single phase.
 template <class Policy>
 bool next_phase(Policy& policy)
 {
@@ -62,13 +62,13 @@ bool next_phase(Policy& policy)
 template <class Energy, class Faces>
 using Optimal_scale_result = decltype(std::declval<const Energy&>().optimal_scale(std::declval<const Faces&>()));
 
-// whether faces count by their areas on the surface; if an energy does not say so, each counts the same
+// Whether faces are weighted by their areas on the surface; by default, all faces have the same weight.
 template <class Energy, class = void>
 constexpr bool weighs_faces_by_area = false;
 template <class Energy>
 constexpr bool weighs_faces_by_area<Energy, std::enable_if_t<Energy::weighs_faces_by_area>> = true;
 
-// whether the faces are given larger areas where the surface is curved; if an energy does not say so, they have their own
+// Whether the areas of faces are increased where the surface is curved; by default, they are not.
 template <class Energy, class = void>
 constexpr bool follows_curvature = false;
 template <class Energy>

@@ -41,7 +41,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What is wrong with a file, where, and what helps.
+// An error of a file: what is wrong, where, and a remedy.
 class File_error : public std::runtime_error
 {
 public:
@@ -61,7 +61,7 @@ public:
   }
 };
 
-// Returns what there is in a stream.
+// Returns the content of a stream.
 inline std::string read_all(std::istream& in)
 {
   std::string content;
@@ -71,7 +71,7 @@ inline std::string read_all(std::istream& in)
     while(in.read(block.data(), block.size()) || in.gcount() > 0)
       content.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
-  catch(const std::ios_base::failure&) // at the end, if the stream is to throw
+  catch(const std::ios_base::failure&) // at the end, if the stream has exceptions enabled
   {
     content.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
@@ -80,11 +80,11 @@ inline std::string read_all(std::istream& in)
   return content;
 }
 
-// Calls read(content, result, message) with the content of a file; it throws a `File_error` or fills `result`. Hands on its
-// message.
+// Calls read(content, result, message) with the content of a file, which fills `result` or throws a `File_error`. The
+// text of the error becomes `message`.
 template <class Result, class Read>
-Error_code read_or_tell(std::istream& in, Result& result, std::string& message, const Read& read,
-                        Error_code error_code = ERROR_INVALID_SURFACE_FILE)
+Error_code read_or_report(std::istream& in, Result& result, std::string& message, const Read& read,
+                          Error_code error_code = ERROR_INVALID_SURFACE_FILE)
 {
   message.clear();
   try
@@ -101,7 +101,7 @@ Error_code read_or_tell(std::istream& in, Result& result, std::string& message, 
   }
 }
 
-// Returns a word of a file for a message, as far as it can be printed.
+// Returns a word of a file for a message, as far as it is printable.
 inline std::string in_quotes(std::string_view text)
 {
   constexpr std::size_t max_size = 40;
@@ -111,7 +111,7 @@ inline std::string in_quotes(std::string_view text)
   return result + (text.size() > max_size ? "...'" : "'");
 }
 
-// Returns a text with its letters of ASCII in lower case.
+// Returns a text with its ASCII letters in lower case.
 inline std::string lower_case(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -121,7 +121,7 @@ inline std::string lower_case(std::string text)
 
 constexpr const char* truncated = "it is truncated: copy it again from where it is from.";
 
-// Converts the bytes of a number from an order to that of this machine, or back.
+// Converts the bytes of a number between a given byte order and that of this machine.
 template <class Number>
 void convert_bytes(Number& number, bool is_big_endian)
 {
@@ -130,7 +130,7 @@ void convert_bytes(Number& number, bool is_big_endian)
     std::reverse(bytes, bytes + sizeof(Number));
 }
 
-// Reads binary numbers, the most significant byte first unless `is_big_endian` says otherwise, and says where they end.
+// Reads binary numbers, in big-endian order unless `is_big_endian` is false, and reports where the data end.
 class Byte_reader
 {
 public:
@@ -152,7 +152,7 @@ public:
     return number;
   }
 
-  // an unsigned number of three bytes
+  // An unsigned number of three bytes.
   std::uint32_t read_3_bytes(const char* what)
   {
     std::uint32_t number = 0;
@@ -169,7 +169,7 @@ public:
     return m_bytes.substr(m_position - size, size);
   }
 
-  // a text that follows its length in bytes; zeros at its end are left out
+  // A text preceded by its length in bytes, without trailing zeros.
   std::string read_text(const char* what)
   {
     const std::size_t begin = m_position;
@@ -181,7 +181,7 @@ public:
     return std::string(text.substr(0, (std::min)(text.find('\0'), text.size())));
   }
 
-  // the number of things that take at least so many bytes each
+  // The number of items of at least the given number of bytes each.
   std::size_t read_count(const char* things, std::size_t min_size)
   {
     const std::size_t begin = m_position;
@@ -206,7 +206,7 @@ private:
   bool m_is_big_endian;
 };
 
-// Returns whether there is a number of 32 bits for this one. Those that are not finite stay what they are.
+// Returns whether a number is in the range of float. Numbers that are not finite are.
 inline bool is_in_float_range(double x)
 {
   return !std::isfinite(x) || std::abs(x) <= static_cast<double>((std::numeric_limits<float>::max)());
@@ -227,7 +227,7 @@ public:
     content.append(reinterpret_cast<const char*>(&number), sizeof(Number));
   }
 
-  // a text behind its length in bytes, with a zero at its end
+  // A text preceded by its length in bytes, with a trailing zero.
   void write_text(const std::string& text)
   {
     write(static_cast<std::int32_t>(text.size() + 1));
@@ -240,14 +240,14 @@ private:
   bool m_is_big_endian;
 };
 
-// Returns whether the stream has taken the bytes.
+// Returns whether the bytes were written to the stream.
 inline bool is_written(std::ostream& out, const std::string& bytes)
 {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return out.good();
 }
 
-// Reads numbers from words between blanks, whatever the locale of the program is.
+// Reads numbers from words separated by blanks, independently of the locale of the program.
 class Number_text
 {
 public:
@@ -263,7 +263,7 @@ public:
     return m_text.substr(begin, m_position - begin);
   }
 
-  // returns whether the word is a number, in decimals; nan and inf are some
+  // Returns whether the word is a decimal number, including nan and inf.
   static bool is_number(std::string_view word, double& x)
   {
     const Parsed_number<double> number = parse_number(word);

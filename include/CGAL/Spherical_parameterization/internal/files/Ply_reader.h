@@ -41,7 +41,7 @@ namespace CGAL::Spherical_parameterization::internal {
 class Ply_reader
 {
 public:
-  // \param keeps_values whether what vertices and faces have beside coordinates and corners is not skipped
+  // \param keeps_values whether to keep the properties of vertices and faces other than coordinates and corners
   Ply_reader(Text_scanner& in, bool keeps_values)
     : m_in(in)
     , m_keeps_values(keeps_values)
@@ -65,14 +65,14 @@ public:
   }
 
 private:
-  // To carry properties over takes time that is quadratic in their number.
+  // Transferring properties takes time that is quadratic in their number.
   static constexpr std::size_t max_properties = 4096;
 
   struct Type
   {
     const char* name;
     const char* name_with_size;
-    File_number number; // any
+    File_number number; // any value of the type
 
     std::size_t size() const
     {
@@ -84,7 +84,7 @@ private:
       return std::visit([](auto x) { return std::is_integral_v<decltype(x)>; }, number);
     }
 
-    // returns whether a number of this type can be `x`, or be rounded to from it
+    // Returns whether `x` is in the range of this type, after rounding.
     bool has(double x) const
     {
       return std::visit(
@@ -118,16 +118,16 @@ private:
   struct Property
   {
     std::string name;
-    char role; // to the mesh: one of the coordinates x, y, z, the corners c, those of strips s, or none, a blank
+    char role; // in the mesh: a coordinate x, y, z, the corners c, those of strips s, or a blank
     const Type* type;
-    const Type* size_type; // of a list, null if it is none
-    bool is_kept;          // with these numbers
+    const Type* size_type; // of a list, null otherwise
+    bool is_kept;          // in `numbers`
     std::vector<double> numbers = {};
   };
 
   struct Element
   {
-    std::string name, label; // as it is, and as it is printed
+    std::string name, label; // the name, and its printable form
     std::size_t count;
     std::vector<Property> properties = {};
     std::set<std::string> names = {}; // of the properties
@@ -147,7 +147,7 @@ private:
       return is_vertex() && (property == "x" || property == "y" || property == "z") ? property[0] : ' ';
     }
 
-    // returns the place of the property with this role, or the number of properties
+    // Returns the index of the property with this role, or the number of properties.
     std::size_t find(char role) const
     {
       std::size_t k = 0;
@@ -217,7 +217,7 @@ private:
       m_in.read_word();
       size_type = &type_of(m_in.read_word(), m_in);
       if(!size_type->is_integer())
-        m_in.fail("the size of a list has to be a whole number");
+        m_in.fail("the size of a list has to be an integer");
     }
     const Type& type = type_of(m_in.read_word(), m_in);
     const std::string name(m_in.read_word());
@@ -226,7 +226,7 @@ private:
     const char role = element.role_of(name, is_list);
     const bool has_values = m_keeps_values && element.is_of_mesh() && role == ' ';
     if((role == 'c' || role == 's') && !type.is_integer())
-      m_in.fail("the corners of a face have to be whole numbers");
+      m_in.fail("the corners of a face have to be integers");
     const bool is_new = element.names.insert(name).second;
     if(has_values && element.names.size() > max_properties)
       m_in.fail("there are more than ", max_properties, " properties of ", element.label);
@@ -253,7 +253,7 @@ private:
     if(element.is_strip() && !element.has('s'))
       throw File_error("the triangle strips have no property vertex_indices that is a list");
     if(n == 0)
-      return; // which takes no bytes, however many there are
+      return; // which has no bytes, for any count
     std::size_t min_size = 0;
     for(const Property& p : element.properties) // in a text, a digit and a blank for each number
       min_size += m_is_text ? 2 : (p.size_type ? p.size_type : p.type)->size();
@@ -268,7 +268,7 @@ private:
 
     const std::size_t x = element.find('x'), y = element.find('y'), z = element.find('z');
     std::vector<double> row(n); // the numbers of a vertex, a face or another element
-    bool has_more = false;      // than the header declares
+    bool has_more = false;      // numbers than declared in the header
     for(m_item = 0; m_item < element.count; ++m_item)
     {
       if(m_is_text && !m_in.next_line())
@@ -312,7 +312,7 @@ private:
       const double x = read_number(element, type);
       if(role == ' ')
         continue;
-      if(role == 's' && x < 0.) // where another strip begins
+      if(role == 's' && x < 0.) // the start of another strip
       {
         strip.clear();
         continue;
@@ -327,7 +327,7 @@ private:
     }
   }
 
-  // Every second triangle of a strip is oriented the other way round. Where two corners are the same, the strip goes on elsewhere.
+  // Every second triangle of a strip has the opposite order. If two corners coincide, the strip continues elsewhere.
   void add_triangle_of_strip(const Polygon& strip)
   {
     const std::size_t n = strip.size(), odd = n % 2 == 0 ? 1 : 0;
@@ -367,7 +367,7 @@ private:
   bool m_is_text = true, m_is_big_endian = false;
   std::vector<Element> m_elements;
   std::size_t m_number_of_vertices = 0;
-  std::size_t m_item = 0; // the number of the element that is read
+  std::size_t m_item = 0; // the index of the current element
   Polygon_soup m_soup;
 };
 

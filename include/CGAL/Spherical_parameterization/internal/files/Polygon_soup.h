@@ -28,29 +28,30 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-using Polygon = boost::container::small_vector<std::size_t, 3>; // a triangle needs no memory elsewhere
+using Polygon = boost::container::small_vector<std::size_t, 3>; // a triangle needs no heap memory
 
-// A number of one of the types that files have, all of which a double can hold.
+// A number of a type that occurs in files, all of which are representable by double.
 using File_number =
     std::variant<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float, double>;
 
-// A property of the vertices, or of the faces, that is neither a coordinate nor the corners.
+// A property of the vertices, or of the faces, other than coordinates and corners.
 struct Property_values
 {
   std::string name;
-  File_number type; // in the file, by any number of that type
+  File_number type; // in the file, as any number of that type
   std::vector<double> numbers;
 
   bool has_fractions() const { return std::holds_alternative<float>(type) || std::holds_alternative<double>(type); }
 };
 
-// What a mesh file holds, in the order of the file. All corners are indices of points. A file of values has neither.
+// The content of a mesh file, in the order of the file. All corners are indices of points. A file of values has
+// neither.
 struct Polygon_soup
 {
   std::vector<Simple_cartesian<double>::Point_3> points;
   std::vector<Polygon> polygons;
-  std::vector<Property_values> values_of_vertices, values_of_faces; // if they were asked for; their names are different
-  std::vector<std::string> left_out;                                // in words, what there is beside them
+  std::vector<Property_values> values_of_vertices, values_of_faces; // if requested; their names are different
+  std::vector<std::string> left_out;                                // a description of the data that were skipped
 
   std::size_t number_of_vertices() const
   {

@@ -32,15 +32,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What keeps vertices and faces from being mapped, and where.
+// Why vertices and faces cannot be mapped, and where the defect is.
 struct Soup_defect
 {
   Error_code error;
-  std::string message; // what is wrong, where, and what helps
+  std::string message; // the defect, its location, and a remedy
   std::optional<std::size_t> vertex, other_vertex, face;
 };
 
-// calls `visit(from, to)` for each edge of a face, in its direction
+// Calls `visit(from, to)` for each edge of a face, in its direction.
 template <class Polygon, class Visit>
 void for_each_side(const Polygon& polygon, const Visit& visit)
 {
@@ -53,12 +53,12 @@ inline std::string with_advice(const std::string& what, const std::string& advic
   return what + ".\n" + advice + "\n(Vertices and faces are counted from 0.)";
 }
 
-// says what is wrong with the edge between v and w, v < w, that two faces use in the same direction
+// Describes the defect of the edge between v and w, v < w, that two faces use in the same direction.
 template <class Polygon>
 Soup_defect explain_edge(const std::vector<Polygon>& polygons, std::size_t v, std::size_t w)
 {
   std::vector<std::size_t> faces;                      // of the edge
-  std::vector<std::pair<Polygon, std::size_t>> sorted; // the same, behind their corners in order
+  std::vector<std::pair<Polygon, std::size_t>> sorted; // the same, after their sorted corners
   for(std::size_t f = 0; f < polygons.size(); ++f)
     for_each_side(polygons[f], [&](std::size_t from, std::size_t to) {
       if((std::min)(from, to) != v || (std::max)(from, to) != w)
@@ -109,11 +109,11 @@ std::string explain_border(const Mesh& mesh)
                                " vertices repeat the position of another one: perhaps the faces do not share them.";
 }
 
-// returns why no halfedge data structure can hold faces, if it cannot. Their corners are below `n_vertices`.
+// Returns why no halfedge data structure can represent the faces, if so. Their corners are below `n_vertices`.
 template <class Polygon>
 std::optional<Soup_defect> find_defect_of_soup(std::size_t n_vertices, const std::vector<Polygon>& polygons)
 {
-  constexpr std::size_t limit = (std::numeric_limits<std::int32_t>::max)(); // as Surface_mesh counts in 32 bits
+  constexpr std::size_t limit = (std::numeric_limits<std::int32_t>::max)(); // Surface_mesh has 32-bit indices
   if(n_vertices >= limit || polygons.size() >= limit / 3)
     return Soup_defect{ERROR_TOO_LARGE_MESH, get_error_message(ERROR_TOO_LARGE_MESH), {}, {}, {}};
   const auto defect_of = [](std::size_t f, Error_code error, const std::string& what) {
@@ -136,7 +136,7 @@ std::optional<Soup_defect> find_defect_of_soup(std::size_t n_vertices, const std
     return defect;
   }
 
-  // No two faces may use an edge in the same direction, as they do wherever an edge has three.
+  // No two faces may use an edge in the same direction, as is the case for any edge with three faces.
   std::vector<std::uint64_t> edges; // one vertex in the upper half, the other one in the lower
   edges.reserve(3 * polygons.size());
   for(const Polygon& polygon : polygons)
@@ -150,7 +150,7 @@ std::optional<Soup_defect> find_defect_of_soup(std::size_t n_vertices, const std
   return explain_edge(polygons, v, w);
 }
 
-// returns what `find_defect()` finds wrong with a `Surface_mesh`, if anything.
+// Returns the defect that `find_defect()` finds in a `Surface_mesh`, if any.
 template <class Mesh>
 std::optional<Soup_defect> find_defect_of_mesh(const Mesh& mesh)
 {

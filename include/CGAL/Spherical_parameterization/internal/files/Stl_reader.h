@@ -46,7 +46,8 @@ public:
     std::uint32_t n_facets = 0;
     const bool is_long_enough =
         Text_scanner(std::string(content.substr((std::min)(size_of_title, content.size()), 4))).read_bytes(n_facets);
-    // The title of a binary file may begin with the same word as a text, but then the file is as long as its header says.
+    // The title of a binary file may start with the same word as a text file, but a binary file has the size stated in
+    // its header.
     const std::size_t word = (std::min)(content.find_first_not_of(" \t\r\n"), content.size());
     const bool is_text = content.compare(word, 5, "solid") == 0 || content.compare(word, 5, "SOLID") == 0;
     const std::size_t size = size_of_header + size_of_facet * std::size_t(n_facets);
@@ -120,7 +121,7 @@ private:
       throw File_error("the file ends without endsolid: it is truncated");
   }
 
-  // The order of the map would be none with coordinates that are not numbers.
+  // The map requires an order, which NaN does not have.
   void add_corner(const Simple_cartesian<double>::Point_3& p)
   {
     if(!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))

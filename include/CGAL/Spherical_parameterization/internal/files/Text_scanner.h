@@ -29,15 +29,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Reads the content of a file, as lines of words or as bytes, and says where it is damaged: what all readers share. Their
-// memory is bounded by the size of the file, whatever its numbers say.
+// Reads the content of a file, as lines of words or as bytes, and reports damage, for all readers. Their memory is
+// bounded by the size of the file, whatever numbers it contains.
 //
-// In a text, `#` begins a comment, and lines end as the first one does: with a line feed, or with a carriage return alone. What is
-// read is named by the parts of its name, which are put together for a message only.
+// In a text, `#` starts a comment. All lines end like the first one, with a line feed or with a carriage return alone.
+// Items are identified by the parts of their names, which are joined only for a message.
 class Text_scanner
 {
 public:
-  // \param joins_lines whether a line goes on in the next one if it ends with a backslash
+  // \param joins_lines whether a backslash at the end of a line joins it with the next one
   explicit Text_scanner(std::string content, bool joins_lines = false)
     : m_content(std::move(content))
     , m_joins_lines(joins_lines)
@@ -45,11 +45,11 @@ public:
     const std::size_t end = m_content.find_first_of("\r\n");
     if(end != m_content.npos && m_content[end] == '\r' && m_content.compare(end, 2, "\r\n") != 0)
       m_has_line_feeds = false;
-    if(m_content.compare(0, 3, "\xEF\xBB\xBF") == 0) // the mark that some editors put before UTF-8
+    if(m_content.compare(0, 3, "\xEF\xBB\xBF") == 0) // the byte order mark of UTF-8
       m_next = 3;
   }
 
-  // moves to the beginning of the next line that has a word, and returns whether there is one.
+  // Moves to the beginning of the next line that has a word, and returns whether there is one.
   bool next_line()
   {
     while(m_next < m_content.size())
@@ -84,7 +84,7 @@ public:
     return *m_cursor == '\0';
   }
 
-  // returns the next word of the line, which is empty at its end, and stays before it.
+  // Returns the next word of the line, which is empty at its end, without moving.
   std::string_view word()
   {
     is_at_end_of_line();
@@ -94,7 +94,7 @@ public:
     return std::string_view(m_cursor, static_cast<std::size_t>(end - m_cursor));
   }
 
-  // returns the next word of the line, which is empty at its end.
+  // Returns the next word of the line, which is empty at its end.
   std::string_view read_word()
   {
     const std::string_view result = word();
@@ -102,7 +102,7 @@ public:
     return result;
   }
 
-  // moves `count` characters forward, within the line.
+  // Moves `count` characters forward, within the line.
   void skip(std::size_t count) { m_cursor += count; }
 
   template <class... Name>
@@ -133,7 +133,8 @@ public:
     return read_integer_before('\0', name...);
   }
 
-  // returns the whole number at the beginning of the next word, and skips the rest of the word from `separator` on.
+  // Returns the integer at the beginning of the next word, and skips the rest of the word, which must be empty or start
+  // with `separator`.
   template <class... Name>
   long long read_integer_before(char separator, const Name&... name)
   {
@@ -142,7 +143,7 @@ public:
     const Parsed_number<long long> number = parse_integer(rest_of_line());
     const char behind = m_cursor[number.size];
     if(number.size == 0 || !(is_end_of_word(behind) || behind == separator) || number.is_too_large)
-      fail(name..., " should be a whole number, not ", quoted(m_cursor));
+      fail(name..., " should be an integer, not ", quoted(m_cursor));
     read_word();
     return number.value;
   }
@@ -155,14 +156,14 @@ public:
     return static_cast<std::size_t>(count);
   }
 
-  // checks that the rest of the file suffices for so many things of `min_size` bytes each.
+  // Checks that the rest of the file is large enough for `count` items of `min_size` bytes each.
   void check_count(std::size_t count, const std::string& things, std::size_t min_size) const
   {
     if(count > (rest().size() + 1) / min_size) // the last line may lack its end
       throw File_error("the file is too short for ", count, " ", things, ": it is truncated, or the number is wrong");
   }
 
-  // reads a number from the bytes that follow the line, and returns whether there are enough of them.
+  // Reads a number from the bytes after the line, and returns whether there are enough of them.
   template <class Number>
   bool read_bytes(Number& number, bool is_big_endian = false)
   {
@@ -177,17 +178,17 @@ public:
 
   void skip_bytes(std::size_t count) { m_next += count; }
 
-  // returns what follows the line.
+  // Returns the data after the line.
   std::string_view rest() const { return std::string_view(m_content).substr(m_next); }
 
-  // throws a `File_error` with the number of the line, or of the byte where the last number begins, counted from 0.
+  // Throws a `File_error` with the number of the line, or of the first byte of the last number, counted from 0.
   template <class... What>
   [[noreturn]] void fail(const What&... what) const
   {
     throw File_error(m_byte == 0 ? "line " : "byte ", m_byte == 0 ? m_line_number : m_byte, ": ", what...);
   }
 
-  // returns the first word of `text` for a message, as far as it can be printed.
+  // Returns the first word of `text` for a message, as far as it is printable.
   static std::string quoted(std::string_view text)
   {
     constexpr std::size_t max_size = 20;
@@ -204,8 +205,8 @@ private:
     return (std::min)(end, m_content.size()) - begin;
   }
 
-  // returns whether another line follows the one that begins at `m_next`, to which a backslash joins it; turns that and the end of
-  // the line into blanks.
+  // Returns whether a backslash joins the line that begins at `m_next` with another one; replaces the backslash and the
+  // end of the line by blanks.
   bool is_joined(std::size_t size)
   {
     const std::size_t end = m_next + size, carriage_return = size > 0 && m_content[end - 1] == '\r' ? 1 : 0;
@@ -225,12 +226,12 @@ private:
 
   std::string m_content;
   bool m_joins_lines, m_has_line_feeds = true;
-  std::size_t m_next = 0; // where the next line begins
+  std::size_t m_next = 0; // the beginning of the next line
   std::size_t m_line_number = 0;
-  std::size_t m_number_of_joined_lines = 0; // behind the line of this number
-  std::size_t m_byte = 0;   // where the last number begins that was read as bytes, 0 if the last was a line
-  char* m_cursor = nullptr; // in the line, which ends with 0
-  char* m_end = nullptr;    // where it does
+  std::size_t m_number_of_joined_lines = 0; // after the line of this number
+  std::size_t m_byte = 0;                   // the start of the last number read as bytes, 0 if the last item was a line
+  char* m_cursor = nullptr;                 // in the line, which ends with 0
+  char* m_end = nullptr;                    // the end of the line
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -35,8 +35,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Builds a mesh with n vertices of polygons, if a halfedge data structure can hold them; or else returns what is wrong. Triangles of a
-// closed surface are linked to their neighbors and added at once, which is faster.
+// Builds a mesh with n vertices from polygons, if a halfedge data structure can represent them; otherwise returns the
+// defect. Triangles of a closed surface are linked to their neighbors and added at once, which is faster.
 template <class Polygon, class Mesh>
 std::optional<Soup_defect> build_mesh(const std::vector<Polygon>& polygons, std::size_t n, Mesh& mesh)
 {
@@ -45,12 +45,12 @@ std::optional<Soup_defect> build_mesh(const std::vector<Polygon>& polygons, std:
   if(n < max_size && polygons.size() < max_size / 3 &&
      std::all_of(polygons.begin(), polygons.end(), [](const Polygon& p) { return p.size() == 3; }))
   {
-    Index_triangles triangles(polygons.size()); // from their last corners on, where the halfedge of a face begins
+    Index_triangles triangles(polygons.size()); // starting at their last corners, where the halfedge of a face begins
     for(std::size_t f = 0; f < polygons.size(); ++f)
       for(std::size_t k = 0; k < 3; ++k)
         triangles[f][(k + 1) % 3] = static_cast<std::uint32_t>(polygons[f][k]);
     const std::vector<Linked_triangle> linked = link_triangles(triangles, n);
-    // A triangle with two sides in common with another one is no part of a simplicial complex.
+    // A triangle that shares two sides with another one is not part of a simplicial complex.
     if(!linked.empty() && std::none_of(linked.begin(), linked.end(), [](const Linked_triangle& t) {
          return t.neighbors[0] == t.neighbors[1] || t.neighbors[1] == t.neighbors[2] ||
                 t.neighbors[2] == t.neighbors[0];
@@ -69,7 +69,7 @@ std::optional<Soup_defect> build_mesh(const std::vector<Polygon>& polygons, std:
   for(std::size_t f = 0; f < polygons.size(); ++f)
     for(const auto v : polygons[f])
       faces[f].push_back(vertices[static_cast<std::size_t>(v)]);
-  // All at once: one by one, those at a vertex take time that is quadratic in their number.
+  // All at once: adding faces one by one takes time quadratic in the degree of a vertex.
   Euler::add_faces(faces, mesh);
   return std::nullopt;
 }

@@ -22,7 +22,7 @@
 #include <string_view>
 #include <system_error>
 
-// That of g++ 11 takes the smallest numbers for errors.
+// The function of g++ 11 reports the smallest numbers as errors.
 #if defined(__cpp_lib_to_chars) && !(defined(_GLIBCXX_RELEASE) && _GLIBCXX_RELEASE < 12)
 #define CGAL_SPHERICAL_PARAMETERIZATION_HAS_FROM_CHARS
 #else
@@ -47,7 +47,7 @@ struct Parsed_number
   bool is_too_large = false; // for the type
 };
 
-// Returns where a number begins, behind blanks and a plus, which std::from_chars() does not skip.
+// Returns where a number begins, after blanks and a plus sign, which std::from_chars() does not skip.
 inline const char* begin_of_number(const char* begin, const char* end)
 {
   while(begin != end && (*begin == ' ' || (*begin >= '\t' && *begin <= '\r')))
@@ -55,7 +55,7 @@ inline const char* begin_of_number(const char* begin, const char* end)
   return end - begin > 1 && begin[0] == '+' && begin[1] != '-' ? begin + 1 : begin;
 }
 
-// Does what std::strtoll() does, whatever the locale of the program is.
+// Replaces std::strtoll(), independently of the locale of the program.
 inline Parsed_number<long long> parse_integer(std::string_view text)
 {
   const char* const end = text.data() + text.size();
@@ -67,8 +67,8 @@ inline Parsed_number<long long> parse_integer(std::string_view text)
   return number;
 }
 
-// Does what std::strtod() does, whatever the locale of the program is: nan, inf and hexadecimal numbers are some; what is smaller than
-// any number is 0.
+// Replaces std::strtod(), independently of the locale of the program: nan, inf and hexadecimal numbers are valid;
+// underflow gives 0.
 inline Parsed_number<double> parse_number(std::string_view text)
 {
   Parsed_number<double> number;
@@ -90,7 +90,7 @@ inline Parsed_number<double> parse_number(std::string_view text)
     result = std::from_chars(begin, end, number.value);
   if(result.ec == std::errc::result_out_of_range)
   {
-    // The number is about b^k, where k is the exponent and how far the point is behind the first digit.
+    // The number is about b^k, where k is the exponent plus the position of the point after the first digit.
     if(is_hexadecimal)
       digits += 2;
     const std::string_view word(digits, static_cast<std::size_t>(result.ptr - digits));

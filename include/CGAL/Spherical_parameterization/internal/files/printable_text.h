@@ -21,8 +21,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Returns a text with `\xHH` for each byte that is no UTF-8: the name of a file may be any bytes, JSON may not. Newlines and other
-// control characters, such as those that move the cursor of a terminal or hide text, may be kept.
+// Returns a text with `\xHH` for each byte that is not UTF-8: the name of a file may contain any bytes, JSON may not.
+// Newlines and other control characters, which may move the cursor of a terminal or hide text, are escaped as well
+// unless `keeps_controls`.
 inline std::string valid_utf8(const std::string& text, bool keeps_controls = true)
 {
   using Utf8 = boost::locale::utf::utf_traits<char>;
@@ -49,7 +50,7 @@ inline std::string valid_utf8(const std::string& text, bool keeps_controls = tru
   return result;
 }
 
-// Returns the name of a file as a terminal or a log can show it: in one line, and with nothing that they obey.
+// Returns the name of a file for a terminal or a log: in one line, without control characters.
 inline std::string printable(const std::string& name)
 {
   return valid_utf8(name, false);

@@ -31,7 +31,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// reads the text variants of the format OFF in three dimensions. Colours, normals and texture coordinates are skipped.
+// Reads the text variants of the format OFF in three dimensions. Colors, normals and texture coordinates are skipped.
 inline Polygon_soup read_off(Text_scanner& in)
 {
   const auto next_line = [&](const auto&... where) {
@@ -98,14 +98,14 @@ inline Polygon_soup read_off(Text_scanner& in)
   return soup;
 }
 
-// reads the vertices and faces of the format OBJ; everything else is skipped, as long as it belongs to the format.
+// Reads the vertices and faces of the format OBJ; all other valid statements are skipped.
 inline Polygon_soup read_obj(Text_scanner& in)
 {
   constexpr std::string_view others = " vt vn vp g s mg o p l usemtl mtllib usemap maplib bevel c_interp d_interp lod "
                                       "shadow_obj trace_obj ctech stech cstype deg bmat step curv curv2 surf parm trim "
                                       "hole scrv sp end con call csh bsp bzp cdc cdp res ";
   Polygon_soup soup;
-  std::size_t n_needed = 0, needing_line = 0; // a face may come before its vertices
+  std::size_t n_needed = 0, needing_line = 0; // a face may precede its vertices
   while(in.next_line())
   {
     const std::string_view statement = in.read_word();
@@ -141,7 +141,7 @@ inline Polygon_soup read_obj(Text_scanner& in)
   return soup;
 }
 
-// reads the triangulated surfaces of the format GOCAD TSurf as one mesh.
+// Reads the triangulated surfaces of the format GOCAD TSurf as one mesh.
 inline Polygon_soup read_gocad(Text_scanner& in)
 {
   Polygon_soup soup;
@@ -165,7 +165,7 @@ inline Polygon_soup read_gocad(Text_scanner& in)
     if(statement == "GOCAD")
     {
       is_within_surface = true;
-      vertices.clear(); // each surface counts its own
+      vertices.clear(); // each surface has its own numbers
     }
     else if(!is_within_surface)
       in.fail("a surface of a GOCAD file begins with GOCAD, not with ", Text_scanner::quoted(statement));
@@ -195,9 +195,9 @@ inline Polygon_soup read_gocad(Text_scanner& in)
   return soup;
 }
 
-// Reads the content of a mesh file: .off, .obj, .ply, .stl or .ts. Of .ply, properties of vertices and faces may be kept.
-// Files come from anywhere. The readers of CGAL do not say where a file is damaged, take some damaged files for other
-// meshes than they are, and ask for any amount of memory; doc/upstreaming.md has examples.
+// Reads the content of a mesh file: .off, .obj, .ply, .stl or .ts. From .ply, properties of vertices and faces may be
+// kept. Files are untrusted. The readers of CGAL do not report where a file is damaged, read some damaged files as
+// other meshes, and may allocate any amount of memory; doc/upstreaming.md has examples.
 inline Polygon_soup read_mesh_file(const std::string& format, std::string content, bool keeps_values = false)
 {
   if(content.compare(0, 2, "\x1F\x8B") == 0)

@@ -34,12 +34,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A set of edges, each a pair of different vertices in either order: a hash table with linear probing. Only asked
-// whether it has an edge, so that its order never shows.
+// A set of edges, each a pair of different vertices in either order: a hash table with linear probing. It is only
+// queried for membership, so results do not depend on its order.
 class Edge_set
 {
 public:
-  // There may be more edges than expected.
+  // `expected_size` may be exceeded.
   explicit Edge_set(std::size_t expected_size)
   {
     std::size_t size = min_size;
@@ -61,15 +61,15 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t none = 0;    // no edge leads from vertex 0 to itself
-  static constexpr std::size_t min_size = 64; // of the table, which doubles when it is half full
+  static constexpr std::uint64_t none = 0;    // no edge joins vertex 0 to itself
+  static constexpr std::size_t min_size = 64; // of the table, whose size doubles when it is half full
 
   static std::uint64_t key_of(std::uint32_t a, std::uint32_t b)
   {
     return static_cast<std::uint64_t>((std::min)(a, b)) << 32 | (std::max)(a, b);
   }
 
-  // where a key is, or would be
+  // The slot of a key, or the slot where it would be inserted.
   std::size_t place_of(std::uint64_t key) const
   {
     const std::size_t mask = m_table.size() - 1;
@@ -93,21 +93,22 @@ private:
   std::size_t m_size = 0;
 };
 
-// A sequence of ever coarser meshes from a given one down to a tetrahedron. Each is made from the one before by
-// removing an independent set of its vertices: a removed vertex is collapsed into one of its neighbours, which are all
-// kept. So all vertices that one level adds to the next coarser one can be inserted at once, each into a hole of
-// vertices that are all there, and no error is handed from one insertion to the next.
+// A sequence of meshes from a given one to a tetrahedron, each coarser than the previous one. Each level is created by
+// removing an independent set of vertices: a removed vertex is collapsed into one of its neighbors, all of which are
+// kept. So all vertices that a level adds to the next coarser one can be inserted at once, each into a hole whose
+// vertices are all present, and errors do not accumulate from one insertion to the next.
 //
-// Level 0 is the given mesh itself, whose rings have to last as long as the hierarchy. Every level numbers its own
-// vertices, in the order of the given mesh.
+// Level 0 is the given mesh, whose rings must outlive the hierarchy. Every level numbers its own vertices, in the order
+// of the given mesh.
 //
-// A coarse mesh has lost area: where an extremity was, there may be a spike. So every vertex carries the area of the surface
-// that it stands for, and hands it on to its ring when it is removed. Whoever maps a coarse level can then leave as
-// much room for an extremity as the surface needs.
+// A coarse mesh has lost area: it may have a spike instead of an extremity. Therefore, every vertex stores the area of
+// the surface that it represents, and this is distributed over its ring when the vertex is removed. The map of a coarse
+// level can then reserve as much area for an extremity as the surface requires.
 class Mesh_hierarchy
 {
 public:
-  // A vertex of a level that the next coarser level lacks, and the vertex of its ring that it is collapsed into there.
+  // A vertex of a level that is missing in the next coarser level, and the vertex of its ring into which it is
+  // collapsed.
   struct Removed_vertex
   {
     std::uint32_t vertex;
@@ -116,11 +117,11 @@ public:
 
   struct Level
   {
-    std::vector<std::uint32_t> vertices; // their numbers in the given mesh
-    std::vector<double> areas;           // of the surface that the vertices stand for
+    std::vector<std::uint32_t> vertices; // their indices in the given mesh
+    std::vector<double> areas;           // of the surface that the vertices represent
     std::vector<Removed_vertex> removed; // empty at the coarsest level
 
-    // what the vertices have in the given mesh
+    // The values of this level's vertices, from an array over the vertices of the given mesh.
     std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all) const
     {
       std::vector<Vector_3d> result(vertices.size());
@@ -130,10 +131,10 @@ public:
     }
   };
 
-  // `areas` are those that the vertices of the mesh stand for. If these have images on the sphere, whose faces are
-  // positive, the faces stay so. No vertex that is marked as fixed is removed. The coarsest level has about `min_size`
-  // vertices, or is where no more can be removed. The control is asked before each level, so that the caller's visitor may
-  // throw; a hierarchy is made in any case.
+  // `areas` are those that the vertices of the mesh represent. If `images` on the sphere are given, with positively
+  // oriented faces, the faces stay positively oriented. Fixed vertices are not removed. The coarsest level has about
+  // `min_size` vertices, or more if no further vertex can be removed. `control` is called before each level, so that
+  // the caller's visitor may throw; a request to stop is ignored.
   Mesh_hierarchy(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::vector<double> areas,
                  Run_control& control, Execution execution, const std::vector<Vector_3d>& images = {},
                  const std::vector<char>& is_fixed = {}, std::size_t min_size = 4)
@@ -150,7 +151,7 @@ public:
     while(m_levels.back().vertices.size() > min_size && coarsen(points, images, is_fixed));
   }
 
-  // A copy from this level on, whose rings have to last as long as the copy.
+  // A copy of the levels from k on. The rings of level k must outlive the copy.
   Mesh_hierarchy from_level(std::size_t k) const
   {
     Mesh_hierarchy result(rings(k), m_execution);
@@ -176,9 +177,9 @@ private:
     , m_execution(execution)
   {}
 
-  // the share of the vertices that one level removes at most
-  static constexpr double max_share = 0.25;     // larger steps from level to level change the end by 0.3 %
-  static constexpr std::size_t block_size = 64; // levels are small: larger blocks leave threads without work
+  // The maximum fraction of the vertices that one level removes.
+  static constexpr double max_fraction = 0.25;  // larger steps between levels change the result by 0.3 %
+  static constexpr std::size_t block_size = 64; // levels are small: larger blocks leave threads idle
 
   // Adds a level, if any vertex can be removed.
   bool coarsen(const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& images,
@@ -211,9 +212,8 @@ private:
     return true;
   }
 
-  // Chooses the removals in the order of their costs, unless a neighbour has been chosen already or an edge of the new
-  // faces is there already. Returns the targets of the removed vertices, as indices into their rings, and `kept` for
-  // all others.
+  // Selects removals in the order of their costs, unless a neighbor has been selected already or a new edge exists
+  // already. Returns the targets of the removed vertices, as indices into their rings, and `kept` for all others.
   static std::vector<std::uint32_t> select(Level& fine, const Vertex_rings& rings,
                                            const std::vector<Vertex_removal>& removals)
   {
@@ -226,9 +226,9 @@ private:
     boost::sort::spreadsort::integer_sort(candidates.begin(), candidates.end());
 
     const std::size_t max_removed =
-        (std::min)(n - 4, (std::max)(static_cast<std::size_t>(max_share * static_cast<double>(n)), std::size_t(1)));
+        (std::min)(n - 4, (std::max)(static_cast<std::size_t>(max_fraction * static_cast<double>(n)), std::size_t(1)));
     std::vector<char> is_locked(n, 0);
-    Edge_set new_edges(3 * max_removed); // in a hole of six sides, the mean
+    Edge_set new_edges(3 * max_removed); // for holes with six vertices, the mean
     std::vector<std::uint32_t> target(n, kept);
     std::size_t n_removed = 0;
     for(const std::uint64_t candidate : candidates)
@@ -259,7 +259,7 @@ private:
     return target;
   }
 
-  // Makes the next level, and returns its rings.
+  // Creates the next level, and returns its rings.
   Vertex_rings without_removed(const Level& fine, const Vertex_rings& rings, const std::vector<std::uint32_t>& target,
                                Level& coarse) const
   {
@@ -271,7 +271,7 @@ private:
       for(const std::uint32_t w : ring)
         areas[w] += areas[r.vertex] / static_cast<double>(ring.size());
     }
-    std::vector<std::uint32_t> number(n, kept), sources; // of the kept vertices there, and back
+    std::vector<std::uint32_t> number(n, kept), sources; // indices of the kept vertices in the next level, and back
     const std::size_t n_coarse = n - fine.removed.size();
     sources.reserve(n_coarse);
     coarse.vertices.reserve(n_coarse);
@@ -299,7 +299,7 @@ private:
     return result;
   }
 
-  // Calls f(w) for all neighbours w that vertex v has when all with a target have been removed, in order.
+  // Calls f(w) for all neighbors w of vertex v after the removal of all vertices with a target, in order.
   template <class Function>
   static void for_each_kept_neighbor(const Vertex_rings& rings, const std::vector<std::uint32_t>& target,
                                      std::uint32_t v, const Function& f)
@@ -314,8 +314,8 @@ private:
         f(w);
         continue;
       }
-      // w gives way to its target t, from which the hole is triangulated: t itself gets the vertices of the hole that
-      // are new to it, another vertex gets t unless that is next to w in its ring already.
+      // w is collapsed into its target t, from which the hole is triangulated: t becomes adjacent to the other vertices
+      // of the hole, and each other vertex becomes adjacent to t unless t is next to w in its ring already.
       const Vertex_rings::Ring hole = rings.ring(w);
       const std::size_t h = hole.size();
       const std::uint32_t t = hole[target[w]];

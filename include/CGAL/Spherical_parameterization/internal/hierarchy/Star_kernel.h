@@ -30,7 +30,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The vertices around a removed one, from its target on: a hole as Star_kernel wants it.
+// The vertices around a removed one, starting at its target: the argument of Star_kernel.
 struct Ring_hole
 {
   const std::vector<Vector_3d>& positions;
@@ -41,17 +41,16 @@ struct Ring_hole
   const Vector_3d& operator[](std::size_t j) const { return positions[ring.around(first + j)]; }
 };
 
-// The kernel of a hole in a triangulation of the sphere: the points from which every edge of the hole is seen in the
-// positive sense, where a vertex may be inserted. The hole is given by its vertices in counterclockwise order, and its
-// faces fanned out from the first of them, the base, are positively oriented, so the kernel is not empty and touches
-// the base.
+// The kernel of a hole in a triangulation of the sphere: the points that see every edge of the hole in the positive
+// sense, where a vertex may be inserted. The hole is given by its vertices in counterclockwise order. Its triangulation
+// by a fan from the first vertex, the base, is positively oriented, so the kernel is not empty and touches the base.
 //
 // The kernel is computed in the gnomonic projection at the base, where great circles are lines: a square around the
 // base is clipped by the half-planes of the edges.
 class Star_kernel
 {
 public:
-  // Finds a point of the kernel, as central as possible. Returns whether there is one that doubles can hold.
+  // Finds a central point of the kernel. Returns whether there is one that can be represented in double precision.
   template <class Hole>
   bool find_point(const Hole& hole, Vector_3d& point)
   {
@@ -59,7 +58,7 @@ public:
     const Tangent_frame frame(hole[0]);
     m_offsets.resize(d);
     double squared_reach = 0., squared_width = largest;
-    Vector_3d middle = {0., 0., 0.}; // of the two vertices next but one that are closest to each other
+    Vector_3d middle = {0., 0., 0.}; // of the closest pair of vertices at distance two along the hole
     for(std::size_t j = 0; j < d; ++j)
     {
       m_offsets[j] = frame.offset_of(hole[j]);
@@ -80,13 +79,13 @@ public:
     {
       const Vector_3d &p = m_offsets[j], &q = m_offsets[j + 1 < d ? j + 1 : 0];
       const Vector_3d n = cross(p, q);
-      // the normal of the plane through p, q and the centre of the sphere; see Star_energy
+      // The normal of the plane through p, q and the center of the sphere; see Star_energy.
       clip(n[0] + (p[1] - q[1]), n[1] + (q[0] - p[0]), n[2]);
     }
     if(m_polygon.size() < 3)
       return false;
 
-    // The centroid, or else the way from it to the base: nearer to the base, the far edges are seen better.
+    // The centroid, or else points between it and the base: closer to the base, the angles to the far edges are better.
     Point candidate = centroid(), best = candidate;
     double min_roughness = largest;
     const auto consider = [&](const Point& c) {
@@ -102,24 +101,24 @@ public:
       consider(candidate);
       candidate = {0.5 * candidate[0], 0.5 * candidate[1]};
     }
-    // The hole of a vertex between two hubs is a lune, which the projection makes endless: its centroid is off the
-    // middle, which is between the two vertices that are close to each other.
+    // The hole of a vertex between two hubs is a lune, which is unbounded in the projection. Its centroid is then far
+    // from the middle, which is between the two vertices that are close to each other.
     consider({middle[0] / (1. + middle[2]), middle[1] / (1. + middle[2])});
     if(!(min_roughness < largest))
       return false;
-    // back from the tangent plane to tangential coordinates
+    // From the tangent plane back to tangential coordinates.
     const double s = 1. / std::sqrt(1. + best[0] * best[0] + best[1] * best[1]);
     point = frame.point_at(s * best[0], s * best[1]);
     return true;
   }
 
 private:
-  static constexpr int max_halvings = 4; // down to an eighth of the way from the base; the middle is tried as well
+  static constexpr int max_halvings = 4; // down to an eighth of the distance from the base; the middle is tried as well
   static constexpr double largest = (std::numeric_limits<double>::max)();
 
   using Point = std::array<double, 2>;
 
-  // keeps the part of the polygon where a x + b y + c >= 0
+  // Keeps the part of the polygon where a x + b y + c >= 0.
   void clip(double a, double b, double c)
   {
     m_clipped.clear();
@@ -156,8 +155,8 @@ private:
     return {o[0] + x / (3. * doubled_area), o[1] + y / (3. * doubled_area)};
   }
 
-  // How far the faces from the gnomonic point to the edges of the hole are from equilateral, in sum; infinite if
-  // one of them is not safely positive.
+  // The sum of the deviations from equilateral of the faces between the gnomonic point and the edges of the hole;
+  // infinite if one of them is not safely positive.
   double roughness(const Point& c) const
   {
     const double s = 1. / std::sqrt(1. + c[0] * c[0] + c[1] * c[1]);

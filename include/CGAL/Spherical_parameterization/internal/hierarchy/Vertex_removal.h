@@ -32,15 +32,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The best way to remove one vertex from a mesh: by collapsing it into one of its neighbours, its target. The cost adds
-// up how far the target lies from the planes of the faces at the vertex (the quadric error of these faces) and a small
-// share of the length of the edge, so that flat parts are thinned out evenly; thin new faces and targets of high degree
-// raise it.
+// The best half-edge collapse that removes a given vertex: the neighbor into which it is collapsed, its target. The
+// cost is the quadric error of the target with respect to the planes of the faces at the vertex, plus a small multiple
+// of the squared edge length, so that flat regions are coarsened evenly. Thin new faces and targets of high degree
+// increase the cost.
 struct Vertex_removal
 {
-  // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (the link
-  // condition). Whether two vertices of high degree are neighbours is looked up only if `is_exact`; otherwise they are
-  // taken for neighbours, so that the time for a vertex is bounded. Images of faces have to stay positive.
+  // Finds the best target of vertex v. Only targets that keep the mesh a simplicial complex are considered (link
+  // condition). If `is_exact` is false, two vertices of high degree are assumed to be neighbors, so that the time for a
+  // vertex is bounded. Images of faces must stay positively oriented.
   static Vertex_removal best(const Vertex_rings& rings, const std::vector<Vector_3d>& points, std::uint32_t v,
                              bool is_exact, const std::vector<Vector_3d>& images = {})
   {
@@ -50,11 +50,11 @@ struct Vertex_removal
     if(d > max_degree)
       return result;
 
-    std::array<Vector_3d, 2 * max_degree> e; // edges from v, twice round, so that no index has to be wrapped
+    std::array<Vector_3d, 2 * max_degree> e; // edges from v, twice around, so that no index wraps
     for(std::uint32_t j = 0; j < d; ++j)
       e[j] = e[j + d] = points[ring[j]] - points[v];
-    // The quadratic form of the cost: n n^T / |n| for each face, where the normal n is as long as its doubled area, and the
-    // share of the squared edge.
+    // The quadratic form of the cost: n n^T / |n| for each face, where the length of the normal n is twice the area of
+    // the face, and a multiple of the squared edge.
     double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0., total_doubled_area = 0.;
     for(std::uint32_t j = 0; j < d; ++j)
     {
@@ -85,7 +85,8 @@ struct Vertex_removal
       if(degree > good_degree)
         cost[j] *= 1. + static_cast<double>((degree - good_degree) * (degree - good_degree));
     }
-    // What takes longest comes last, and only for targets that may still be the best one; so the cheapest comes first.
+    // The expensive tests are done last, and only for targets that can still be the best; so the cheapest target comes
+    // first.
     const std::uint32_t cheapest =
         static_cast<std::uint32_t>(std::min_element(cost.begin(), cost.begin() + d) - cost.begin());
     const auto is_better = [&](std::uint32_t r, std::uint32_t j) {
@@ -116,19 +117,19 @@ struct Vertex_removal
 
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  std::uint32_t rank = 0;      // the cost as a key for sorting
+  std::uint32_t rank = 0;      // the cost as a sort key
   std::uint32_t target = none; // as an index into the ring of the vertex
 
 private:
   static constexpr std::uint32_t max_degree = 16; // of a vertex to be removed; every mesh has vertices below 6
-  static constexpr std::size_t good_degree = 9;  // of the target; beyond it the cost grows, as does the time for a star
-  static constexpr std::size_t high_degree = 64; // two beyond it may pass for neighbors: no long ring is searched
-  static constexpr double edge_weight = 1e-2; // of the squared edge: it decides where all distances from planes are 0
+  static constexpr std::size_t good_degree = 9;   // of the target; beyond, the cost and the time for a star grow
+  static constexpr std::size_t high_degree = 64;  // two vertices beyond may be assumed neighbors without a search
+  static constexpr double edge_weight = 1e-2;     // of the squared edge; it decides if all distances from planes are 0
   static constexpr double min_squared_quality = 1e-12; // a flat fan costs 1000 times as much as an equilateral one
-  static constexpr double min_cost = 1e-290;           // where the surface says nothing, the degrees decide
+  static constexpr double min_cost = 1e-290;           // if the geometry gives no preference, the degrees decide
 
-  // Much coarser than the cost: costs that differ by rounding only nearly always have the same rank, so that no choice
-  // depends on how the mesh is placed in space.
+  // Much coarser than the cost: costs that differ only by rounding errors almost always have the same rank, so that the
+  // result does not depend on the position of the mesh in space.
   static std::uint32_t rank_of(double cost)
   {
     static_assert(std::numeric_limits<double>::is_iec559, "The exponent is followed by the mantissa.");
@@ -136,10 +137,10 @@ private:
     const double number = cost <= largest ? cost : largest;
     std::uint64_t bits;
     std::memcpy(&bits, &number, sizeof(bits));
-    return static_cast<std::uint32_t>(bits >> 41); // the exponent and 11 digits
+    return static_cast<std::uint32_t>(bits >> 41); // the exponent and 11 binary digits
   }
 
-  // The square of how near a triangle with these edges is to equilateral: from 0 for a flat one to 1.
+  // The squared quality of a triangle with these edges, from 0 for a flat triangle to 1 for an equilateral one.
   static double squared_quality_of(const Vector_3d& a, const Vector_3d& b)
   {
     const double sum = squared_length(a) + squared_length(b) + squared_length(b - a);
@@ -147,7 +148,7 @@ private:
     return squared_ratio > 0. ? 12. * squared_ratio : 0.;
   }
 
-  // Whether the new faces are positive, if vertex j of a ring is the target.
+  // Whether the new faces are positively oriented if vertex j of a ring is the target.
   static bool is_fan_positive(const Vertex_rings::Ring& ring, std::uint32_t j, const std::vector<Vector_3d>& images)
   {
     for(std::size_t k = j + 1; k + 1 < j + ring.size(); ++k)
@@ -156,7 +157,7 @@ private:
     return true;
   }
 
-  // Whether vertex j of a ring has neighbors in the ring other than the two next to it.
+  // Whether vertex j of a ring is adjacent to a vertex of the ring other than the previous and the next one.
   static bool has_chord(const Vertex_rings& rings, const Vertex_rings::Ring& ring, std::uint32_t j, bool is_exact)
   {
     const std::uint32_t d = static_cast<std::uint32_t>(ring.size());

@@ -35,11 +35,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of
-// sum cot |r e' - R e|^2 / 4 over the edges e of the face on the surface and e' of its image on the unit sphere, R
-// being the rotation of the plane of the one onto the plane of the other that minimises it. It is that of (s1 - 1)^2 +
-// (s2 - 1)^2, weighted with half the areas, in units of 4 pi, the area of the surface. The plane of the image is seen
-// from outside the sphere, so that an inverted face costs what it should.
+// The as-rigid-as-possible energy of a map u to the sphere of radius r: the sum over the faces of sum cot |r e' - R
+// e|^2 / 4 over the edges e of the face on the surface and e' of its image on the unit sphere. R is the rotation from
+// the plane of the face to the plane of the image that minimizes this sum. The energy equals that of (s1 - 1)^2 + (s2 -
+// 1)^2, weighted by half the areas, in units in which the area of the surface is 4 pi. The plane of the image is seen
+// from outside the sphere, so that the energy penalizes an inverted face.
 class ARAP_energy
 {
 public:
@@ -52,7 +52,7 @@ public:
     });
   }
 
-  // Fits the rotations, then the radius, which is a linear problem of one variable; returns the energy.
+  // Fits the rotations, then the radius, a linear problem in one variable. Returns the energy.
   double fit(const std::vector<Vector_3d>& u)
   {
     std::vector<Vector_3d> partial((m_faces.size() + usual_block_size - 1) / usual_block_size, Vector_3d{0., 0., 0.});
@@ -68,11 +68,11 @@ public:
     return 0.25 * 0.25 / CGAL_PI * (surface - m_radius * fitted);
   }
 
-  // the radius as it was last fitted, in the unit of length of the mesh
+  // The radius of the last fit, in the unit of length of the mesh.
   double radius() const { return m_radius; }
 
-  // Half the gradient of the energy in all positions at the last fit, in space and up to the unit, with the sign of a
-  // descent: what the rotated edges would have the edges change by, summed up at each vertex.
+  // Half the negative gradient of the energy with respect to all positions at the last fit, in space and up to the
+  // unit: the differences between rotated and actual edges, summed up at each vertex.
   void forces(const std::vector<Vector_3d>& u, std::vector<Vector_3d>& b) const
   {
     b.assign(b.size(), Vector_3d{0., 0., 0.});
@@ -93,14 +93,14 @@ private:
     std::array<std::uint32_t, 3> corners;
     std::array<double, 3> cotangents;
     std::array<std::array<double, 2>, 3> edges; // of the face on the surface, in its plane
-    std::array<Vector_3d, 3> rotated;           // the same in the plane of the image
+    std::array<Vector_3d, 3> rotated;           // the same edges in the plane of the image
 
     Face(const std::array<std::uint32_t, 3>& c, const Rest_triangle& rest)
       : corners(c)
     {
       const double a = 1. / rest.inverse_doubled_area;
       cotangents = {rest.opposite_0 * a, rest.opposite_1 * a, rest.opposite_2 * a};
-      // Corner 0 is the origin, corner 1 on the x-axis; the square of the edge between them is a (cot 0 + cot 1).
+      // Corner 0 is the origin and corner 1 is on the x-axis; the squared edge between them is a (cot 0 + cot 1).
       const double x1 = std::sqrt(a * (cotangents[0] + cotangents[1]));
       const double y2 = a / x1, x2 = cotangents[0] * y2;
       edges = {{{x2 - x1, y2}, {-x2, -y2}, {x1, 0.}}};
@@ -112,7 +112,7 @@ private:
       return u[corners[(i + 2) % 3]] - u[corners[(i + 1) % 3]];
     }
 
-    // Adds the cotangents times the products of edges: fitted ones by those of the image, and the squares of both.
+    // Adds the cotangents times products of edges: fitted times image edges, and the squares of both.
     void fit_rotation(const std::vector<Vector_3d>& u, Vector_3d& sums)
     {
       const std::array<Vector_3d, 3> image = {edge(u, 0), edge(u, 1), edge(u, 2)};
@@ -120,9 +120,9 @@ private:
       Vector_3d normal = cross(image[0], image[1]);
       const double size = length(normal);
       normal = size > 0. ? (dot(normal, center) < 0. ? -1. / size : 1. / size) * normal
-                         : normalized(center); // no plane: the tangential one
+                         : normalized(center); // no plane: the tangent plane
       const Tangent_frame frame(normal);
-      double cosine = 0., sine = 0.; // of the rotation that makes the sum of cot e' R e largest, up to a factor
+      double cosine = 0., sine = 0.; // of the rotation that maximizes the sum of cot e' R e, up to a factor
       std::array<Vector_3d, 3> local;
       for(std::size_t i = 0; i < 3; ++i)
       {
@@ -148,10 +148,10 @@ private:
   double m_radius = 1.;
 };
 
-// Lowers the as-rigid-as-possible energy of a map to the sphere by local and global steps: rotations and radius are
-// fitted, then all vertices are moved by the solution of a linear system with the Laplacian, which is factored once.
-// Forces and movements are restricted to the tangents of the sphere, and a step that would raise the energy is
-// shortened, so the energy always falls.
+// Minimizes the as-rigid-as-possible energy of a map to the sphere by alternating local and global steps: rotations and
+// radius are fitted, then all vertices are moved by the solution of a linear system with the Laplacian, which is
+// factorized once. Forces and moves are restricted to the tangent planes of the sphere. A step that would increase the
+// energy is shortened, so the energy decreases monotonically.
 class ARAP_map
 {
 public:
@@ -161,10 +161,10 @@ public:
     , m_step(mesh.number_of_vertices())
   {}
 
-  // What lower_energy() asks for; the radius is in the caller's unit of length.
-  static constexpr double tolerance = 1e-6; // of the energy, of which steps gain ever less
-  static constexpr double max_rise = 0.;    // both steps lower the energy, or there is nothing left to gain
-  static constexpr int max_halvings = 12;   // down to 1/2048 of the step, as for a vertex
+  // Required by lower_energy(); the radius is in the caller's unit of length.
+  static constexpr double tolerance = 1e-6;  // of the energy; the gain decreases from step to step
+  static constexpr double max_increase = 0.; // both steps decrease the energy, unless it has converged
+  static constexpr int max_halvings = 12;    // down to 1/2048 of the step, as for a vertex
 
   std::vector<double> weights() const
   {

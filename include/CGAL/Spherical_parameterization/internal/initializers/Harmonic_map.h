@@ -36,12 +36,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The discrete harmonic energy of a map u to the unit sphere, the sum of w |u_v - u_w|^2 / 2 over the edges, in units of
-// the area of the sphere: with cotangent weights, it is 1 for a conformal map and more for every other, up to the error
-// of discretisation. The weights are in the order of the corners of `rings`.
+// The discrete harmonic energy of a map u to the unit sphere, the sum of w |u_v - u_w|^2 / 2 over the edges, in units
+// of the area of the sphere. With cotangent weights, it is 1 for a conformal map and larger for every other map, up to
+// the discretization error. The weights are in the order of the corners of `rings`.
 //
-// As |u_v - u_w|^2 = 2 u_v (u_v - u_w) on the sphere, the share of a vertex, half the sum over its edges, is also half
-// the normal part of the Laplacian there; `shares` gets it, in the unit of the weights.
+// Since |u_v - u_w|^2 = 2 u_v (u_v - u_w) on the sphere, the contribution of a vertex, half the sum over its edges,
+// equals half the normal component of the Laplacian there; `shares` receives it, in the unit of the weights.
 inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<double>& weights,
                                const std::vector<Vector_3d>& u, std::vector<double>& shares, Execution execution)
 {
@@ -55,19 +55,19 @@ inline double dirichlet_energy(const Vertex_rings& rings, const std::vector<doub
   return 0.25 / CGAL_PI * std::accumulate(shares.begin(), shares.end(), 0.);
 }
 
-// Lowers the harmonic energy of a map to the unit sphere. Where it is minimal, the Laplacian at every vertex is normal
-// to the sphere: L u = 2 share(u) u, see dirichlet_energy(). This is solved as a fixed point: with the right-hand side
-// from the last map, a linear system with the one matrix L gives the next map, up to the projection to the sphere. Each
-// step leaves about a third of the error of the lowest frequency. As the right-hand side nearly vanishes where extremities
-// are shrunk to a small place, extremities are solved as well as in the plane at once.
+// Minimizes the harmonic energy of a map to the unit sphere. At a minimum, the Laplacian at every vertex is normal to
+// the sphere: L u = 2 share(u) u, see dirichlet_energy(). This is solved as a fixed point: with the right-hand side of
+// the previous map, a linear system with the constant matrix L gives the next map, up to the projection to the sphere.
+// Each step reduces the error of the lowest frequency to about a third. The right-hand side nearly vanishes where
+// extremities are shrunk to a small region, so extremities converge in one step, as in the plane.
 //
-// The energy alone would be minimal for a map to one point. So after each step a Moebius transformation, which changes
-// a conformal map to another one, brings the centre of the area of the surface back to the centre of the sphere.
+// The energy alone would be minimal for a map to one point. Therefore, after each step, a Moebius transformation, which
+// preserves conformality, moves the center of the surface's area back to the center of the sphere.
 class Harmonic_map
 {
 public:
-  // If the map `has_to_be_bijective`, the weights of edges are positive, and steps that would turn a face over are
-  // shortened; if not, the weights are the cotangents as they are.
+  // If `has_to_be_bijective`, the weights of edges are made positive, and steps that would invert a face are shortened;
+  // otherwise, the weights are the unmodified cotangents.
   Harmonic_map(const Surface& mesh, bool has_to_be_bijective, Execution execution)
     : m_mesh(mesh)
     , m_has_to_be_bijective(has_to_be_bijective)
@@ -78,10 +78,10 @@ public:
     , m_shares(m_masses.size())
   {}
 
-  // What lower_energy() asks for.
-  static constexpr double tolerance = 1e-9; // of the energy; positions may go on turning around the centre together
-  static constexpr double max_rise = 1e-4;  // above the lowest energy so far: the transformation may cost a little
-  static constexpr int max_halvings = 8;    // down to 1/128 of the way to the solution
+  // Required by lower_energy().
+  static constexpr double tolerance = 1e-9;    // of the energy; all positions may keep rotating around the center
+  static constexpr double max_increase = 1e-4; // above the lowest energy; the transformation may increase it
+  static constexpr int max_halvings = 8;       // down to 1/128 of the distance to the solution
 
   const std::vector<double>& weights() const { return m_weights; }
   double energy_of(const std::vector<Vector_3d>& positions)
@@ -90,8 +90,8 @@ public:
   }
   double radius() const { return 1.; }
 
-  // The next map in space. What is missing for the sum of the right-hand sides to vanish is taken in proportion to the
-  // shares, so that extremities do not feel it.
+  // The next map in space. The right-hand sides are corrected so that their sum vanishes, in proportion to the
+  // contributions of the vertices, so that extremities are not affected.
   template <class System>
   bool find_step(const std::vector<Vector_3d>& positions, System& system)
   {
@@ -130,7 +130,7 @@ private:
   std::vector<Vector_3d> m_target; // of the step
 };
 
-// Maps a mesh to the unit sphere with the minimum harmonic energy, starting through the plane.
+// Maps a mesh to the unit sphere with minimum harmonic energy, starting from the map through the plane.
 template <class SolverTraits>
 Error_code map_harmonically(Run& run, bool has_to_be_bijective, std::size_t max_rounds)
 {

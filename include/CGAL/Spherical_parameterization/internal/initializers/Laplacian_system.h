@@ -39,8 +39,9 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-// The model of `SparseLinearAlgebraTraits_d` that is used by default, for symmetric matrices all entries of which are set once.
-// Eigen chooses the order of elimination; it computes nothing, as what other libraries compile may be contracted.
+// The default model of `SparseLinearAlgebraTraits_d`, for symmetric matrices whose entries are all set once. Eigen only
+// chooses the elimination order; all arithmetic is done here, because other libraries may be compiled with contracted
+// operations.
 class Cholesky_solver_traits
 {
 public:
@@ -80,7 +81,7 @@ public:
       for(const Matrix::Entry& entry : matrix.m_entries)
         add(entry.row, entry.column);
     });
-    // The lower triangle in the order of elimination: of a pair of entries, the one of the lower triangle counts.
+    // The lower triangle in elimination order: of a pair of symmetric entries, the one in the lower triangle is stored.
     std::vector<Matrix::Entry> entries;
     for(const Matrix::Entry& entry : matrix.m_entries)
       if(entry.row >= entry.column)
@@ -115,13 +116,13 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> m_order; // the position of each row in the order of elimination
+  std::vector<std::uint32_t> m_order; // the position of each row in the elimination order
   std::optional<Sparse_factorization> m_factorization;
 };
 
 #endif // CGAL_EIGEN3_ENABLED
 
-// The sparse solver of those parameterizers that need one: the caller's, or by default the one above.
+// The sparse solver of parameterizers that require one: the caller's, or by default the one above.
 template <class SolverTraits>
 struct Solver_traits
 {
@@ -134,15 +135,15 @@ struct Solver_traits
 #endif
 };
 
-// The linear system of a weighted Laplacian, factored once and solved for many right-hand sides, each of them three at
-// a time. Some vertices are held at 0: without, the system would be singular, as constants are the kernel of a
+// The linear system of a weighted Laplacian, factorized once and solved for many right-hand sides, three at a time.
+// Some vertices are fixed at 0: otherwise the system would be singular, because constants are in the kernel of a
 // Laplacian.
 template <class SolverTraits>
 class Laplacian_system
 {
 public:
-  // `weights` are those of the edges in the order of the corners of `rings`; `is_fixed` names the vertices that are
-  // held. Returns false if the solver fails.
+  // `weights` are those of the edges in the order of the corners of `rings`; `is_fixed` marks the fixed vertices.
+  // Returns false if the solver fails.
   template <class IsFixed>
   bool factor(const Vertex_rings& rings, const std::vector<double>& weights, const IsFixed& is_fixed)
   {
@@ -195,7 +196,7 @@ private:
   using Traits = typename Solver_traits<SolverTraits>::type;
   using Matrix = typename Traits::Matrix;
   using Vector = typename Traits::Vector;
-  // of a vector, which Eigen counts with a sign
+  // Indices of a vector of the solver, which Eigen counts with signed integers.
   using Index = std::conditional_t<std::is_same_v<Vector, std::vector<double>>, std::size_t, std::ptrdiff_t>;
 
   std::optional<Matrix> m_matrix; // the solver may refer to it
@@ -203,12 +204,12 @@ private:
   std::vector<std::uint32_t> m_vertices; // of the rows
 };
 
-// Lowers the energy of the map of a run by rounds, each of which solves a linear system. `method` has
-//   weights()                            of the edges, which make the Laplacian of the system; the vertex 0 is held
+// Decreases the energy of the map of a run by iterations that each solve a linear system. `method` has
+//   weights()                            of the edges, which define the Laplacian of the system; vertex 0 is fixed
 //   bool find_step(positions, system)    whether the system could be solved
-//   bool move(positions, t, candidate)   whether the map that is the part t of the step away is allowed; if not, or if its
+//   bool move(positions, t, candidate)   whether the map after the fraction t of the step is admissible; if not, or if its
 //                                        energy is too high, the step is halved
-//   double energy_of(positions)          and radius(), that which is best for the last one
+//   double energy_of(positions)          and radius(), the optimal radius for the last positions
 template <class SolverTraits, class Method>
 Error_code lower_energy(Method method, std::size_t max_rounds, Run& run)
 {
@@ -232,7 +233,7 @@ Error_code lower_energy(Method method, std::size_t max_rounds, Run& run)
     {
       const bool is_allowed = method.move(positions, t, candidate);
       next_energy = is_allowed ? method.energy_of(candidate) : std::numeric_limits<double>::infinity();
-      is_found = next_energy < (1. + Method::max_rise) * lowest_energy;
+      is_found = next_energy < (1. + Method::max_increase) * lowest_energy;
     }
     if(!is_found)
     {

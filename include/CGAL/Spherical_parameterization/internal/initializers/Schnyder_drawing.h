@@ -28,51 +28,53 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Theorem. Every simple triangulation T of the sphere with n >= 4 vertices has a one-to-one map to the sphere whose vertices
-// lie in integer directions, with coordinates of absolute value at most 2 N, where N = 2 n - 7. With 10^7 vertices or less, the
-// unit vectors that doubles round these directions to, to nearest, are one-to-one as well, and so are these times a radius of at
-// least 2^-960.
+// Theorem. Every simple triangulation T of the sphere with n >= 4 vertices has a bijective map to the sphere whose
+// vertices lie in integer directions, with coordinates of absolute value at most 2 N, where N = 2 n - 7. For n <= 10^7,
+// the unit vectors of these directions, rounded to nearest in double precision, define a bijective map as well, and so
+// do their multiples by a radius of at least 2^-960.
 //
-// Proof. (1) The open end. By Euler's formula the mean degree is below 6, so there is a vertex s with a ring of d = 3, 4 or 5
-// vertices l1, ..., ld, counterclockwise. Remove s, and fill the hole by d - 2 triangles from l1. The new edges are not in T
-// already, if l1 is chosen well. For T has no two edges outside the hole that cross. So it lacks a diagonal of a hole of four; and
-// of one of five it has at most two, which have an end in common if they are two, and then a neighbour of that end has none; if
-// there is one, the vertex between its ends has none. What results is a simple triangulation T' with n - 1 vertices. Let its outer
-// face be (l1, l2, l3) for d = 3, or else (l1, l3, l4), and call the corners A = l1, B = ld or l4, and C = l2 or l3, so that the
-// inner faces, of which there are N, are to the left of the way from A to B and C.
+// Proof. (1) Opening. By Euler's formula the mean degree is below 6, so there is a vertex s with a ring of d = 3, 4 or
+// 5 vertices l1, ..., ld, counterclockwise. Remove s, and fill the hole by d - 2 triangles incident to l1. For a
+// suitable choice of l1, the new edges are not edges of T: since no two edges of T cross outside the hole, T lacks one
+// of the two diagonals of a hole with four vertices. Of the diagonals of a hole with five vertices, T has at most two.
+// If it has two, they share a vertex, and a neighbor of that vertex on the ring has no diagonal. If it has one, the
+// vertex between its ends has none. The result is a simple triangulation T' with n - 1 vertices. Let its outer face be
+// (l1, l2, l3) for d = 3, or else (l1, l3, l4), and call the corners A = l1, B = ld or l4, and C = l2 or l3, so that
+// the N inner faces are to the left of the path from A to B and C.
 //
-// (2) The drawing. A Schnyder wood of T' [Schnyder, Embedding planar graphs on the grid, 1990] gives each inner vertex three
-// paths, to A, B and C, which share only that vertex. They cut the triangle in three regions; let v1, v2 and v3 be the
-// numbers of inner faces in those opposite to A, B and C, each at least 1, with v1 + v2 + v3 = N. With (N, 0, 0), (0, N, 0) and
-// (0, 0, N) for A, B and C, these are the barycentric coordinates of a planar straight-line drawing: no face is turned over.
-// Taken as points of space, they lie in the plane x + y + z = N, and the determinant of an inner face is N times an integer
-// of at least 1. Seen from the origin, the inner faces tile the positive octant once.
+// (2) Drawing. A Schnyder wood of T' [Schnyder, Embedding planar graphs on the grid, 1990] gives each inner vertex
+// three paths, to A, B and C, which share only that vertex. They divide the triangle into three regions. Let v1, v2 and
+// v3 be the numbers of inner faces in the regions opposite to A, B and C, each at least 1, with v1 + v2 + v3 = N. With
+// (N, 0, 0), (0, N, 0) and (0, 0, N) for A, B and C, these are the barycentric coordinates of a planar straight-line
+// drawing without inverted faces. As points in space, they lie in the plane x + y + z = N, and the determinant of an
+// inner face is N times an integer of at least 1. Seen from the origin, the inner faces tile the positive octant once.
 //
-// (3) The closing. Faces inside the hole that are no faces of T are left out, and s is placed at -c. The face (s, p, q) with
-// the edge from p to q of the hole is positive if det(c, q, p) is. With c as below, these determinants are, for the inner vertices
-// x = l2 and y = l5, which differ, up to factors of N or N^2:
+// (3) Closing. Omit the faces inside the hole that are not faces of T, and map s to -c. The face (s, p, q) with the
+// edge from p to q of the hole is positive if det(c, q, p) is. With c as below, these determinants are, for the inner
+// vertices x = l2 and y = l5, which differ, up to factors of N or N^2:
 //   d = 3, c = (1, 1, 1):                  1, 1, 1;
 //   d = 4, c = x + B:                      x3, x1, x1, x3;
 //   d = 5, c = (1, x2 + y2, x3 + y3):      c2 x3 - c3 x2 = y2 x3 - y3 x2,  c2 x1 - x2,  1,  c3 y1 - y3,  c3 y2 - c2 y3 = y2 x3 - y3 x2.
-// These are positive integers, as x1, x3, y1 and y2 are at least 1, and y2 x3 > y3 x2: seen from A, the edge to x comes before
-// the edge to y on the way from C to B. The faces of T without s are a polygon in the octant, with c inside, all of whose sides turn
-// around c in one sense: each half of a great circle from c to -c leaves them once, and goes on in a face of s. So all faces
-// are positive, and cover each direction once.
+// These are positive integers, because x1, x3, y1 and y2 are at least 1, and y2 x3 > y3 x2: seen from A, going from C
+// to B, the edge to x comes before the edge to y. The faces of T without s form a polygon in the octant with c inside,
+// and all its sides have the same orientation around c: each half of a great circle from c to -c leaves the polygon
+// once and continues in a face of s. So all faces are positive and cover each direction once.
 //
-// (4) Rounding. As coordinates are not negative, no corner of an inner face is longer than N, and no c longer than 2 N. So the
-// determinant of the unit vectors is at least N / N^3 for a face of T', and for one of s at least N / (2 N N^2), which is
-// 1 / (2 N^2) > 1.25e-15 for n <= 10^7. The coordinates themselves are exact, and the length that they are divided by is a common
-// factor, which does not matter. The rounding of the quotient, of the product with the radius, and of one more product moves a unit
-// vector by 3 * 2^-53 at most. That changes the determinant by no more than three times as much, 9 * 2^-53 < 1e-15, but
-// for terms of second order, which are below 1e-30. On the straight way from the exact vectors to the rounded ones, all determinants
-// stay positive, so that each direction stays covered once.
+// (4) Rounding. Since coordinates are not negative, no corner of an inner face is longer than N, and no c is longer
+// than 2 N. So the determinant of the unit vectors is at least N / N^3 for a face of T', and for a face of s at least N
+// / (2 N N^2), which is 1 / (2 N^2) > 1.25e-15 for n <= 10^7. The coordinates themselves are exact. The length that
+// they are divided by is a common factor, whose error does not matter. The rounding of the quotient, of the product
+// with the radius, and of one more product moves a unit vector by at most 3 * 2^-53. This changes the determinant by at
+// most three times as much, 9 * 2^-53 < 1e-15, apart from second-order terms, which are below 1e-30. On the line
+// segments from the exact vectors to the rounded ones, all determinants stay positive, so that each direction stays
+// covered once.
 //
-// That is a start where nothing else is, and no good one: areas follow the numbers of faces, and most of them are near to B or A.
-// Areas instead of these numbers would make the bound worse and hardly the start better.
+// As an initial map it is poor: areas follow the numbers of faces, and most images are near B or A. Areas instead of
+// these numbers would weaken the bound and hardly improve the map.
 class Schnyder_drawing
 {
 public:
-  // of a simple triangulation of the sphere
+  // Of a simple triangulation of the sphere.
   explicit Schnyder_drawing(const Vertex_rings& rings)
     : m_rings(rings)
     , m_parents(rings.number_of_vertices(), {none, none, none})
@@ -123,10 +125,10 @@ private:
     m_outer = {m_hole[0], m_hole[d == 3 ? 2 : 3], m_hole[d == 3 ? 1 : 2]};
   }
 
-  // Makes the Schnyder wood: takes vertices off T' one by one, from C on, such that what is left is bounded by a path from A
-  // to B, and the edge between these. A vertex may go if its only neighbours on the path are the one before and the one
-  // behind; unless only A and B are left, there is one. Then its first two parents are these neighbours; and it is the third
-  // parent of all its others, which take its place on the path.
+  // Computes the Schnyder wood: removes vertices of T' one by one, starting at C, so that the rest is bounded by a path
+  // from A to B and the edge between them. A vertex can be removed if its only neighbors on the path are the previous
+  // and the next one; unless only A and B are left, such a vertex exists. Its first two parents are then these
+  // neighbors, and it becomes the third parent of all its other neighbors, which replace it on the path.
   void peel()
   {
     const std::size_t n = m_rings.number_of_vertices();
@@ -139,8 +141,8 @@ private:
     const auto take_off = [&](Index v, Index first, Index last) {
       const Vertex_rings::Ring ring = m_rings.ring(v);
       is_on_path[v] = 0;
-      // Counterclockwise around v, what is left is from the one before to the one behind. The open end may be there, between A
-      // and B, and around C between the other two.
+      // Counterclockwise around v, the rest extends from the previous to the next vertex. The outer face may be in this
+      // range between A and B, and around C between the other two.
       Index end = first;
       std::size_t n_new = 0;
       for(std::size_t j = ring.position_of(v == c ? m_open : first) + 1; ring.around(j) != last; ++j)
@@ -157,7 +159,7 @@ private:
       }
       behind[end] = last;
       before[last] = end;
-      if(n_new == 0) // The edge between the neighbours was one across the path.
+      if(n_new == 0) // The edge between the neighbors was an edge across the path.
         for(const Index w : {first, last})
           if(--n_chords[w] == 0)
             candidates.push_back(w);
@@ -190,16 +192,16 @@ private:
     }
   }
 
-  // Step 2. The vertices of the region opposite to A, with its boundary, are those from which a vertex of the paths to B and
-  // C is reached by first parents; so their number is the sum over the paths of the sizes of subtrees. Euler's formula gives
-  // the number of faces: 2 r - e - 3, for r vertices and paths of e edges.
+  // Step 2. The vertices of the region opposite to A, including its boundary, are those from which a vertex of the
+  // paths to B and C is reached by first parents; so their number is the sum of the sizes of subtrees over the paths.
+  // Euler's formula gives the number of faces: 2 r - e - 3, for r vertices and paths with e edges.
   std::vector<Vector_3d> region_sizes(double n_faces) const
   {
     const std::size_t n = m_rings.number_of_vertices();
     std::vector<Vector_3d> result(n);
     for(std::size_t i = 0; i < 2; ++i)
     {
-      // First and second parents have been taken off later.
+      // First and second parents were removed later.
       std::vector<Index> subtree(n, 1);
       for(const Index v : m_order)
         subtree[m_parents[v][i]] += subtree[v];
@@ -209,7 +211,7 @@ private:
         result[v][i] = -2. * subtree[v] - 3.; // v is on both paths
       for(const std::size_t path : {1 - i, std::size_t(2)})
       {
-        // of a path from a vertex to its end: the sum of 2 r - e
+        // Of a path from a vertex to its end: the sum of 2 r - e.
         std::vector<std::int64_t> sums(n, 2);
         const auto add = [&](Index v) {
           sums[v] = sums[m_parents[v][path]] + 2 * static_cast<std::int64_t>(subtree[v]) - 1;
@@ -244,10 +246,10 @@ private:
 
   const Vertex_rings& m_rings;
   Index m_open = none;           // s
-  std::array<Index, 5> m_hole{}; // its ring, from l1 on
+  std::array<Index, 5> m_hole{}; // its ring, starting at l1
   std::array<Index, 3> m_outer;  // A, B, C
   std::vector<std::array<Index, 3>> m_parents;
-  std::vector<Index> m_order; // in which inner vertices are taken off
+  std::vector<Index> m_order; // in which inner vertices are removed
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -56,11 +56,11 @@ inline std::vector<std::uint32_t> edge_distances(const Vertex_rings& rings, std:
   return distance;
 }
 
-// A vertex in the middle of the surface: of all vertices, the one with the minimum distance from the extremities. Those
-// are found one after the other, each as far as possible from those before.
+// A vertex in the middle of the surface: the vertex with the smallest maximum distance from the extremities. These are
+// found one after the other, each as far as possible from the previous ones.
 inline std::uint32_t central_vertex(const Vertex_rings& rings)
 {
-  constexpr int number_of_extremities = 8; // extremities, of which a body has five, and a few more
+  constexpr int number_of_extremities = 8; // a body has five, and a few more
   std::vector<std::uint32_t> nearest = edge_distances(rings, 0), farthest(rings.number_of_vertices(), 0);
   for(int k = 0; k < number_of_extremities; ++k)
   {
@@ -75,9 +75,9 @@ inline std::uint32_t central_vertex(const Vertex_rings& rings)
   return static_cast<std::uint32_t>(std::min_element(farthest.begin(), farthest.end()) - farthest.begin());
 }
 
-// A conformal map of the unit sphere to itself that pushes all points towards c / |c|, along the circles through it and its
-// opposite, the more so the closer |c| < 1 is to 1. Together with the rotations, these generate all that preserve the
-// orientation.
+// A conformal map of the unit sphere to itself that moves all points towards c / |c|, along the circles through c / |c|
+// and -c / |c|, farther the closer |c| < 1 is to 1. Together with the rotations, these maps generate all
+// orientation-preserving conformal maps.
 struct Moebius_transformation
 {
   Vector_3d c;
@@ -104,24 +104,24 @@ inline Vector_3d solve_tangential(const std::vector<Vector_3d>& points, const st
   return (1. / dot(rows[0], c0)) * (b[0] * c0 + b[1] * c1 + b[2] * c2);
 }
 
-// Moves points of the unit sphere by Moebius transformations until their centre of mass is at the centre of the sphere.
-// There is one such transformation, up to rotations, if no point has half of the mass or more; the masses of vertices,
-// a third of the areas of their faces, are never as large.
+// Moves points of the unit sphere by Moebius transformations until their center of mass is at the center of the sphere.
+// Such a transformation exists and is unique up to rotations if no point has half of the mass or more. The mass of a
+// vertex, a third of the areas of its faces, is always smaller.
 //
-// A transformation that `is_admissible(moved points)` refuses is replaced by weaker ones; if those are refused as well,
-// the points stay where they are. Returns the distance that remains.
+// A transformation for which `is_admissible(moved points)` is false is replaced by a weaker one; if those are not
+// admissible either, the points stay unchanged. Returns the remaining distance.
 template <class IsAdmissible>
 double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& masses, const IsAdmissible& is_admissible)
 {
-  constexpr double tolerance = 1e-12, max_push = 0.5; // of the radius, above rounding; pushes have to be below 1
-  constexpr int max_pushes = 100, max_halvings = 8;   // a few do, more where most of the mass is in one place
+  constexpr double tolerance = 1e-12, max_push = 0.5; // of the radius, above rounding error; |c| < 1
+  constexpr int max_pushes = 100, max_halvings = 8;   // a few suffice, unless most mass is in one region
 
   const double mass = std::accumulate(masses.begin(), masses.end(), 0.);
   std::vector<Vector_3d> moved(points.size());
   Vector_3d center = center_of_mass(points, masses);
   for(int k = 0; k < max_pushes && length(center) > tolerance; ++k)
   {
-    // Newton's method: a weak push by c moves a point u by 2 (c - (c u) u).
+    // Newton's method: to first order, c moves a point u by 2 (c - (c u) u).
     Vector_3d push = solve_tangential(points, masses, (-0.5 * mass) * center);
     const double size = length(push);
     if(!(size > 0.))
@@ -145,14 +145,14 @@ double center_mass(std::vector<Vector_3d>& points, const std::vector<double>& ma
   return length(center);
 }
 
-// Maps a mesh to the unit sphere through the plane: without one vertex in the middle of the surface, the pole, the mesh
-// is a disc and has a Tutte embedding, with the ring of the pole on a circle and every other vertex in the weighted
-// mean of its neighbours. The plane goes to the sphere by the inverse of the stereographic projection, the pole to the
-// north pole, and a Moebius transformation balances the two sides.
+// Maps a mesh to the unit sphere through the plane. Without one vertex in the middle of the surface, the pole, the mesh
+// is a disc and has a Tutte embedding, with the ring of the pole on a circle and every other vertex at the weighted
+// mean of its neighbors. The inverse stereographic projection maps the plane to the sphere and the pole to the north
+// pole, and a Moebius transformation balances both sides.
 //
-// As edges are straight in the plane and great circles on the sphere, large faces may be turned over on the way, as on
-// coarse meshes. Then the plane is projected to the southern hemisphere from the centre of the sphere instead, which
-// keeps straight what is straight, and the star of the pole covers the rest.
+// Edges are straight in the plane and great circles on the sphere, so the projection may invert large faces, as on
+// coarse meshes. In this case, the plane is projected to the southern hemisphere from the center of the sphere instead,
+// which maps straight lines to great circles, and the star of the pole covers the rest.
 template <class SolverTraits>
 class Stereographic_embedding
 {
@@ -174,7 +174,7 @@ public:
     return true;
   }
 
-  // Takes the plane to the sphere; returns whether no face is turned over.
+  // Maps the plane to the sphere; returns whether no face is inverted.
   bool project(std::vector<Vector_3d>& positions) const
   {
     const auto stereographic = [](const Vector_3d& p) {
@@ -190,11 +190,11 @@ public:
   }
 
 private:
-  // The angles between neighbours are in proportion to those at the pole, blended with equal ones: no angle is half a
-  // turn or more.
+  // The angles between neighbors are proportional to those at the pole, blended with equal ones, so that no angle is
+  // half a turn or more.
   void place_ring_of_pole()
   {
-    constexpr double turn = 2. * CGAL_PI, own_blend = 0.6; // how much of an angle follows the one at the pole
+    constexpr double turn = 2. * CGAL_PI, own_blend = 0.6; // the weight of the angle at the pole
     const Vertex_rings::Ring ring = m_rings.ring(m_pole);
     std::vector<double> angles(ring.size());
     double sum = 0.;
@@ -218,8 +218,8 @@ private:
     }
   }
 
-  // Solves the system twice: once to learn where most of the surface is, and once with that place as the origin, where
-  // numbers are finest.
+  // Solves the system twice: first to find where most of the surface is mapped, and then with this point as the origin,
+  // where floating-point numbers are densest.
   bool place_other_vertices()
   {
     const std::vector<double> weights = cotangent_weights(m_rings, m_mesh.points(), min_positive_weight);
@@ -250,8 +250,8 @@ private:
     return true;
   }
 
-  // Scales the plane such that half of the area of the surface is within the unit circle: on the sphere, it would be
-  // crowded around the south pole else, where the numbers are coarse for it.
+  // Scales the plane so that half of the area of the surface is within the unit circle. Otherwise it would be
+  // concentrated around the south pole, where the resolution of floating-point numbers is insufficient.
   void scale_plane()
   {
     std::vector<std::pair<double, double>> areas_by_distance;
@@ -272,7 +272,7 @@ private:
     }
   }
 
-  // Projects the plane; returns whether no face is turned over.
+  // Projects the plane; returns whether no face is inverted.
   template <class Projection>
   bool is_positive_by(const Projection& projection, std::vector<Vector_3d>& positions) const
   {
@@ -291,8 +291,9 @@ private:
   std::vector<Vector_3d> m_plane;
 };
 
-// Maps a mesh to the unit sphere through the plane, as what it is or as what other methods start from. If doubles cannot
-// hold a bijection, that is an error if the map `has_to_be_bijective`, or else the map is stereographic and folds.
+// Maps a mesh to the unit sphere through the plane, as a result or as an initial map of other methods. If double
+// precision cannot represent a bijection, this is an error if `has_to_be_bijective`; otherwise the map is stereographic
+// and has inverted faces.
 template <class SolverTraits>
 Error_code embed_stereographically(Run& run, bool has_to_be_bijective)
 {

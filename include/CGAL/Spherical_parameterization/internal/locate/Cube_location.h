@@ -24,11 +24,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Where a direction is on a cube around the sphere, whose sides have n x n squares: in which of them, and between which
-// nodes. An image with values at the nodes is looked up by it, without a search. With a packed number type, it is the place of
-// a direction in each lane.
+// The location of a direction on a cube around the sphere, whose sides have n x n squares: the square that contains it,
+// and the nodes at the corners of the square. It gives access to an image with values at the nodes, without a search.
+// With a packed number type, it is the location of a direction in each lane.
 //
-// The nodes are numbered side by side, and on a side row by row; those on the edges of the cube are on two sides or three.
+// The nodes are numbered side by side, and on a side row by row; those on the edges of the cube occur two or three
+// times.
 template <class FT>
 class Basic_cube_location
 {
@@ -59,7 +60,7 @@ public:
                    static_cast<std::size_t>(static_cast<int>(lane(j, k)));
   }
 
-  // the corners of the square in a lane
+  // The corners of the square in a lane.
   std::array<std::size_t, 4> nodes(std::size_t lane = 0) const
   {
     const std::size_t first = m_first[lane];
@@ -70,17 +71,17 @@ public:
     return m_first[k] + (lane(m_u, k) < 0.5 ? 0 : m_n + 1) + (lane(m_v, k) < 0.5 ? 0 : 1);
   }
 
-  // A vector less a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
+  // A vector minus a multiple of the direction, so that it is in the plane of the side: its two coordinates there.
   std::array<FT, 2> flattened(const Vector_3<FT>& t) const
   {
     const Vector_3<FT> s = turned(t);
     return {s[0] - m_slope[0] * s[2], s[1] - m_slope[1] * s[2]};
   }
-  // That multiple, in units of the vector `p` that the place was made of. As p moves along t, flattened(e) changes by
+  // This multiple, in units of the vector `p` passed to the constructor. As p moves along t, flattened(e) changes by
   // -height(e) flattened(t).
   FT height(const Vector_3<FT>& t) const { return m_inverse * turned(t)[2]; }
 
-  // Where it is in the square, from 0 to 1, and how that changes as `p` moves along a vector that has been flattened.
+  // The coordinates in the square, from 0 to 1, and their change as `p` moves along a vector that has been flattened.
   const FT& u() const { return m_u; }
   const FT& v() const { return m_v; }
   std::array<FT, 2> change(const std::array<FT, 2>& t) const { return {m_scale * t[0], m_scale * t[1]}; }
@@ -88,8 +89,8 @@ public:
   // The bilinear weights of the corners.
   std::array<FT, 4> weights() const { return {(1. - m_u) * (1. - m_v), (1. - m_u) * m_v, m_u * (1. - m_v), m_u * m_v}; }
 
-  // The half of the square, cut along its diagonal, that the direction is in: its number and its corners in each lane, and the
-  // weights that interpolate linearly in it.
+  // The half of the square, divided by its diagonal, that contains the direction: its index and its corners in each
+  // lane, and the weights of linear interpolation in it.
   struct Half
   {
     std::array<std::size_t, width> index;
@@ -123,7 +124,7 @@ public:
     return result;
   }
 
-  // Calls f(side, u, v) for all nodes, in the order of their numbers.
+  // Calls f(side, u, v) for all nodes, in the order of their indices.
   template <class Function>
   static void for_each_node(std::size_t n, const Function& f)
   {
@@ -137,7 +138,7 @@ public:
 private:
   using Condition = decltype(std::declval<FT>() < std::declval<FT>());
 
-  // A vector as seen from the side: the two coordinates in its plane, and the one along its axis.
+  // The coordinates of a vector with respect to the side: two in its plane, and the one along its axis.
   Vector_3<FT> turned(const Vector_3<FT>& t) const
   {
     return {select(m_is_along_x, t[1], select(m_is_along_y, t[2], t[0])),
@@ -153,7 +154,7 @@ private:
   }
 
   std::size_t m_n;
-  Condition m_is_along_x, m_is_along_y; // the latter if the former does not hold
+  Condition m_is_along_x, m_is_along_y; // the latter only if the former is false
   std::array<std::size_t, width> m_first;
   FT m_inverse, m_scale, m_u, m_v;
   std::array<FT, 2> m_slope;

@@ -49,14 +49,14 @@ public:
 
   std::size_t number_of_cells() const { return std::size_t(m_n) * m_n; }
 
-  // the cell of a direction, which need not be finite
+  // The cell of a direction, which need not be finite.
   std::uint32_t cell(const Vector_3d& q) const
   {
     const std::array<double, 2> p = unfolded(q);
     return part_of(p[0], m_n) + m_n * part_of(p[1], m_n);
   }
 
-  // Calls f(cell, center) for all cells, each of them next to the one before.
+  // Calls f(cell, center) for all cells, each of them adjacent to the previous one.
   template <class Function>
   void for_each_cell(const Function& f) const
   {
@@ -69,15 +69,15 @@ public:
       }
   }
 
-  // The place of a direction along the Morton curve through 2^16 x 2^16 cells.
-  static std::uint32_t place_on_curve(const Vector_3d& q)
+  // The position of a direction along the Morton curve through 2^16 x 2^16 cells.
+  static std::uint32_t position_on_curve(const Vector_3d& q)
   {
     const std::array<double, 2> p = unfolded(q);
     return spread_bits(part_of(p[0], 1u << 16)) | spread_bits(part_of(p[1], 1u << 16)) << 1;
   }
 
 private:
-  // the place in [-1, 1]^2 of a direction
+  // The position of a direction in [-1, 1]^2.
   static std::array<double, 2> unfolded(const Vector_3d& q)
   {
     const double s = std::abs(q[0]) + std::abs(q[1]) + std::abs(q[2]);
@@ -95,14 +95,14 @@ private:
     return {p[0], p[1], z};
   }
 
-  // which of n parts of [-1, 1] x is in; the first one for what is none of them, such as NaN
+  // The index of the one of n parts of [-1, 1] that contains x; 0 for a number outside, such as NaN.
   static std::uint32_t part_of(double x, std::uint32_t n)
   {
     const double part = 0.5 * (x + 1.) * n;
     return part > 0. && part < 0x1p31 ? (std::min)(static_cast<std::uint32_t>(part), n - 1) : 0;
   }
 
-  // bit k of a number of 16 bits becomes bit 2 k
+  // Moves bit k of a 16-bit number to bit 2 k.
   static std::uint32_t spread_bits(std::uint32_t x)
   {
     x = (x | x << 8) & 0x00FF00FFu;
@@ -114,9 +114,9 @@ private:
   std::uint32_t m_n;
 };
 
-// The images of a mesh on the sphere, a bijection, as flat arrays in which the triangle of a direction is found by a
-// walk, exactly, from a triangle nearby: one that contains the centre of the cell of a grid, or any that the caller
-// knows. All triangles contain their boundaries; of those that contain a direction, the first one owns it.
+// The images of a mesh on the sphere, a bijection, as flat arrays. The triangle of a direction is found by an exact
+// walk that starts at a triangle nearby: one that contains the center of a grid cell, or any that the caller knows. All
+// triangles contain their boundaries; of those that contain a direction, the first one owns it.
 //
 // `K` is a kernel with exact predicates.
 template <class K>
@@ -128,14 +128,14 @@ public:
 
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  // Where a direction is: no triangle if it is zero or not finite.
+  // The location of a direction: no triangle if it is zero or not finite.
   struct Triangle_location
   {
     std::uint32_t triangle = none;
     std::array<FT, 3> coordinates = {FT(0), FT(0), FT(0)};
   };
 
-  // Where a query has ended, for the next one to start there if it is in the same cell.
+  // The location at which a query has ended. The next query starts there if it is in the same cell.
   struct Hint
   {
     std::uint32_t cell = none, triangle = 0;
@@ -151,7 +151,7 @@ public:
         m_first_triangles[v] = (std::min)(m_first_triangles[v], t);
   }
 
-  // Makes the grid. Returns false if a direction is in no triangle: the map is no bijection.
+  // Creates the grid. Returns false if a direction is in no triangle, that is, the map is not a bijection.
   bool make_grid()
   {
     const auto n = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(m_triangles.size())));
@@ -169,23 +169,23 @@ public:
   const std::vector<Point_3>& points() const { return m_points; }
   const std::vector<Linked_triangle>& triangles() const { return m_triangles; }
 
-  // The image of a vertex at distance 1, rounded.
+  // The rounded unit vector of a vertex's image.
   Vector_3d direction(std::size_t v) const { return direction_of(m_points[v]); }
 
-  // The images of a triangle, see scaled_together(): their lengths count, as they do for all that locates.
+  // The images of a triangle, see scaled_together(). Their lengths matter, as in all functions that locate points.
   std::array<Vector_3d, 3> corners(const Linked_triangle& t) const
   {
     return scaled_together({rounded(m_points[t[0]]), rounded(m_points[t[1]]), rounded(m_points[t[2]])});
   }
 
-  // Locates a direction from a triangle that is next to it, or not far from it, without a grid.
+  // Locates a direction, starting at a triangle nearby, without a grid.
   Triangle_location locate_from(std::uint32_t start, const Point_3& q) const
   {
     Found found;
     return find(q, start, found) ? owner(q, found) : Triangle_location();
   }
 
-  // The same by another predicate, orientation(a, b, q) for an edge from a to b; returns no more than the triangle.
+  // The same with another predicate, orientation(a, b, q) for an edge from a to b; returns only the triangle.
   template <class Orientation>
   std::uint32_t triangle_from(std::uint32_t start, const Point_3& q, const Orientation& orientation) const
   {
@@ -193,7 +193,7 @@ public:
     return find(q, start, found, orientation) ? found.triangle : none;
   }
 
-  // The other functions need the grid.
+  // The following functions require the grid.
   Triangle_location locate(const Point_3& q, Hint& hint) const
   {
     const std::uint32_t cell = m_grid.cell(approximate(q));
@@ -204,8 +204,8 @@ public:
     return owner(q, found);
   }
 
-  // Locates all directions, in parallel if the coordinates are doubles; in a large mesh along a curve on the sphere, so
-  // that the triangles that a query needs are in the caches since the query before.
+  // Locates all directions, in parallel if the coordinates are of type double. In a large mesh, the queries follow a
+  // curve on the sphere, so that the triangles of a query are in the caches after the previous query.
   std::vector<Triangle_location> locate(const std::vector<Point_3>& directions, const Execution& execution) const
   {
     constexpr std::size_t min_triangles_to_sort = 100000; // Less than 5 MB are in the caches anyway.
@@ -226,8 +226,8 @@ public:
   }
 
 private:
-  // A triangle that contains a direction, and on which side of the edge opposite to each vertex the direction is. It is
-  // on none of three if it is zero or not finite.
+  // A triangle that contains a direction, and the side of the direction with respect to the edge opposite to each
+  // vertex. All three are 0 if the direction is zero or not finite.
   struct Found
   {
     std::uint32_t triangle = 0;
@@ -236,7 +236,7 @@ private:
 
   static Vector_3d approximate(const Point_3& p)
   {
-    // Lazy numbers need not, and those that are not finite must not, be evaluated.
+    // Lazy numbers need not be evaluated, and must not be if they are not finite.
     return {CGAL::to_interval(p.x()).first, CGAL::to_interval(p.y()).first, CGAL::to_interval(p.z()).first};
   }
 
@@ -265,9 +265,9 @@ private:
     return false;
   }
 
-  // Walks from triangle to triangle, across any edge that the direction is on the other side of. A walk that always
-  // tries the edges in the same order may go round in circles; with a random order, it leaves them sooner or later. It
-  // gives up after as many steps as there are triangles.
+  // Walks from triangle to triangle, across any edge that separates the triangle from the direction. A walk that always
+  // tests the edges in the same order may cycle; with a random order, it leaves cycles eventually. It gives up after as
+  // many steps as there are triangles.
   template <class Orientation>
   bool walk(const Point_3& q, std::uint32_t start, Found& found, const Orientation& orientation) const
   {
@@ -294,8 +294,9 @@ private:
     return false;
   }
 
-  // The triangle that owns a direction, by one that contains it. The direction is in the convex hull of the vertices of
-  // the found triangle that are on the positive side of their edges: all three, the two of an edge, or one.
+  // The triangle that owns a direction, given one that contains it. The direction is in the convex hull of those
+  // vertices of the given triangle whose opposite edges have it on their positive side: all three, the two of an edge,
+  // or one.
   Triangle_location owner(const Point_3& q, const Found& found) const
   {
     const Linked_triangle& t = m_triangles[found.triangle];
@@ -330,24 +331,25 @@ private:
 
   struct Query
   {
-    Point_3 direction; // a copy, as reading from where it was would be what takes longest
+    Point_3 direction; // a copy, because reading it from its original location would dominate the time
     std::size_t number;
   };
 
-  // The directions in their order along a curve: sorted into about as many buckets as they are, in linear time.
+  // The directions in their order along a curve: sorted into about as many buckets as there are directions, in linear
+  // time.
   static std::vector<Query> sorted_along_curve(const std::vector<Point_3>& directions, const Execution& execution)
   {
-    constexpr std::size_t block_size = 4096; // of parallel work: enough that handing it out costs nothing
-    constexpr unsigned int max_bits = 24;    // of the numbers of buckets, whose starts take 128 MB then
+    constexpr std::size_t block_size = 4096; // of parallel work: large enough to make the overhead negligible
+    constexpr unsigned int max_bits = 24;    // of bucket indices; the starts then take 128 MB
     unsigned int n_bits = 0;
     while(n_bits < max_bits && (directions.size() >> n_bits) > 1)
       ++n_bits;
     std::vector<std::uint32_t> buckets(directions.size());
     for_each_in_blocks(execution, 0, directions.size(), block_size, [&](std::size_t k) {
-      const std::uint64_t place = Octahedral_grid::place_on_curve(approximate(directions[k]));
+      const std::uint64_t place = Octahedral_grid::position_on_curve(approximate(directions[k]));
       buckets[k] = static_cast<std::uint32_t>(place >> (32 - n_bits));
     });
-    std::vector<std::size_t> starts((std::size_t(1) << n_bits) + 1, 0); // of the buckets, and then their ends
+    std::vector<std::size_t> starts((std::size_t(1) << n_bits) + 1, 0); // of the buckets, and later their ends
     for(const std::uint32_t bucket : buckets)
       ++starts[bucket + 1];
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
@@ -362,10 +364,10 @@ private:
   std::vector<Linked_triangle> m_triangles;
   std::vector<std::uint32_t> m_first_triangles; // the first one at each vertex
   Octahedral_grid m_grid;
-  std::vector<std::uint32_t> m_starts; // for each cell, a triangle that contains its centre
+  std::vector<std::uint32_t> m_starts; // for each cell, a triangle that contains its center
 };
 
-// What the vertices have, interpolated at a place.
+// Values of vertices, interpolated at a location.
 template <class T, class Triangle_location>
 T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>& triangles,
                const Triangle_location& place)
@@ -376,8 +378,8 @@ T interpolated(const std::vector<T>& values, const std::vector<Linked_triangle>&
          CGAL::to_double(w[2]) * values[t[2]];
 }
 
-// Where the vertices of a connected triangulation of the sphere are in another one, which needs no grid: each is found by a
-// walk from the place of a neighbour. Vertices without a triangle are in none.
+// The locations of the vertices of a connected triangulation of the sphere in another one, which needs no grid: each is
+// found by a walk from the location of a neighbor. Isolated vertices have no location.
 template <class K>
 std::vector<typename Sphere_triangulation<K>::Triangle_location> locations_of_vertices(
     const Sphere_triangulation<K>& of, const Sphere_triangulation<K>& in)

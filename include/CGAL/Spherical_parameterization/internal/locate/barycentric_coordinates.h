@@ -31,10 +31,10 @@ inline Vector_3d absolute(const Vector_3d& a)
   return {std::abs(a[0]), std::abs(a[1]), std::abs(a[2])};
 }
 
-// det(q, b, c) = det(q, b, c - b) up to a relative error of 2^-22, or something that is not positive. The rounding errors
-// shrink with the triangle: what they change is as much as a change of q by some units in the last place. The computed
-// determinant has an error below 2^-49 times the sum of the absolute values of its six products, for the reason that is
-// given at Orientation_about_origin_3; the bounds leave room for underflow.
+// det(q, b, c) = det(q, b, c - b) up to a relative error of 2^-22, or a value that is not positive. The rounding errors
+// decrease with the size of the triangle: their effect is that of a change of q by a few units in the last place. The
+// computed determinant has an error below 2^-49 times the sum of the absolute values of its six products, as proved at
+// Orientation_about_origin_3; the bounds leave room for underflow.
 inline double accurate_determinant(const Vector_3d& q, const Vector_3d& b, const Vector_3d& c)
 {
   const Vector_3d d = c - b;
@@ -46,9 +46,10 @@ inline double accurate_determinant(const Vector_3d& q, const Vector_3d& b, const
   return size < 1e60 && permanent > 1e-200 && determinant > 0x1p-26 * permanent ? determinant : -1.;
 }
 
-// The barycentric coordinates, in a triangle `t`, of the point where the ray from the origin in the direction q meets
-// it: q is a multiple of their combination of the corners, so they are det(q, b, c), det(q, c, a) and det(q, a, b) over
-// their sum. Which of them are positive and which are 0 is known; they get no other sign, and 0 exactly.
+// The barycentric coordinates, in a triangle `t`, of the intersection point of the ray from the origin in the direction
+// q: q is a multiple of this combination of the corners, so they are det(q, b, c), det(q, c, a) and det(q, a, b)
+// divided by their sum. It is known which of them are positive and which are 0; their signs agree with this, and zeros
+// are exact.
 template <class FT>
 std::array<FT, 3> barycentric_coordinates(const std::array<Vector_3<FT>, 3>& t, const Vector_3<FT>& q,
                                           const std::array<bool, 3>& is_positive)

@@ -36,33 +36,33 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The edges of a triangle: number i is opposite to corner i, and all of them run around the triangle in one sense.
+// The edges of a triangle: edge i is opposite to corner i, and all of them have the orientation of the triangle.
 using Triangle_edges = std::array<Vector_3d, 3>;
 
-// The singular values s1 <= s2 of the linear map from one triangle to another, and the distortions that follow from
-// them.
+// The singular values s1 <= s2 of the linear map from one triangle to another, and the resulting distortions.
 //
-// Both triangles are laid into the plane with the longest edge of the source, and its image, on the x-axis. The map is
-// then a matrix (a b; 0 c) with a, c >= 0, and
+// Both triangles are mapped isometrically to the plane, with the longest edge of the source, and its image, on the
+// x-axis. The map is then a matrix (a b; 0 c) with a, c >= 0, and
 //   s2 + s1 = |(a + c, b)|    and    s2 - s1 = |(a - c, b)|,
-// so that no digit is lost where s1 and s2 are close to each other, unlike in the roots of I + 2 d and I - 2 d with
-// I = s1^2 + s2^2 and d = s1 s2. Where they are far apart it is s1 = d / s2 that loses none. What remains is the
-// rounding of the edges, which costs a relative error of about 1e-15 longest edge / height of the source. The foot of
-// the height is measured from the corner next to it, so that a source that is thin because one of its edges is short
-// costs less.
+// so that there is no cancellation if s1 and s2 are close to each other, unlike in the roots of I + 2 d and I - 2 d
+// with I = s1^2 + s2^2 and d = s1 s2. If they are far apart, s1 = d / s2 avoids cancellation. The remaining relative
+// error is due to the rounding of the edges, about 1e-15 longest edge / height of the source. The foot of the height is
+// measured from the corner next to it, which reduces the error for a source that is thin because one of its edges is
+// short.
 //
 // Each triangle is first scaled by a power of two, which is exact, so that coordinates up to about 1e300 and down to
 // 1e-300 cause no overflow or underflow before the final values do.
 struct Triangle_stretch
 {
-  // whether the source has no shape that could be distorted: twice its area is at most 1e-12 times its longest edge
-  // squared, or a coordinate is not finite. All distortions are infinite then.
+  // Whether the source is degenerate: twice its area is at most 1e-12 times the square of its longest edge, or a
+  // coordinate is not finite. Then all distortions are infinite.
   bool is_degenerate = true;
 
   // The three measures of Face_distortion. They are infinite if the image has no area, or is not finite.
   double isometric = infinity, area = infinity, angle = infinity;
 
-  // s1 s2 is `ratio` times 2^`ratio_exponent`, even where no number holds that; 0 where the distortions are infinite.
+  // s1 s2 is `ratio` times 2^`ratio_exponent`, even if it is out of the range of double; 0 if the distortions are
+  // infinite.
   double ratio = 0.;
   int ratio_exponent = 0;
 
@@ -104,14 +104,14 @@ struct Triangle_stretch
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double min_height = 1e-12; // of the longest edge: rounding of edges costs some 1e-3 there
+  static constexpr double min_height = 1e-12; // of the longest edge: there, rounding errors are about 1e-3
 
   // A triangle in the plane whose first edge is (base, 0) and whose apex is (foot, height), seen from the corner
   // between `first`, the edge on the axis, and `second`.
   struct Planar_triangle
   {
-    // As the edges run around the triangle, one of the two starts where the other one ends; which of them does not
-    // matter, as the triangle may be turned by half a turn.
+    // Since all edges have the orientation of the triangle, one of the two starts where the other one ends. Which one
+    // does not matter, because the triangle may be rotated by half a turn.
     Planar_triangle(const Vector_3d& first, const Vector_3d& second)
       : base(length(first))
       , foot(-dot(first, second) / base)
@@ -121,7 +121,7 @@ private:
     double base, foot, height;
   };
 
-  // a b - c d to the last digits: what rounding takes from the products is known
+  // a b - c d with a small relative error: the rounding errors of the products are compensated.
   static double difference_of_products(double a, double b, double c, double d)
   {
     const Double_double ab = exact_product(a, b), cd = exact_product(c, d);
@@ -134,7 +134,7 @@ private:
             difference_of_products(a[0], b[1], a[1], b[0])};
   }
 
-  // the edges divided by 2^exponent, so that the largest coordinate is in [1/2, 1); NaN if one of them is not finite
+  // The edges divided by 2^exponent, so that the largest coordinate is in [1/2, 1); NaN if one of them is not finite.
   static Triangle_edges scaled(const Triangle_edges& edges, int& exponent)
   {
     double largest = 0.;
@@ -158,9 +158,9 @@ private:
   }
 };
 
-// Maximum, average and standard deviation of a sequence of numbers >= 0, in one pass; all are infinite if a number is, or if
-// there is none. The sums are those of Welford, because a difference of the sums of squares has no correct digit left where
-// the numbers hardly differ.
+// Maximum, average and standard deviation of a sequence of non-negative numbers, in one pass; all are infinite if a
+// number is, or if there is none. The sums are those of Welford, because a difference of sums of squares has no correct
+// digit if the numbers hardly differ.
 class Statistics_accumulator
 {
 public:
@@ -187,12 +187,12 @@ private:
   double m_squares = 0.; // sum of the squared differences from the average
 };
 
-// p - q, computed in the number type of the coordinates if that is exact
+// p - q, computed in the number type of the coordinates if that is exact.
 template <class Point_3>
 Vector_3d difference(const Point_3& p, const Point_3& q)
 {
   using FT = std::decay_t<decltype(p.x())>;
-  // Differences of float are exact, or more so, in double precision.
+  // Differences of floats are exact in double precision, or have a smaller error than in single precision.
   using Number = std::conditional_t<std::is_arithmetic<FT>::value, double, FT>;
   const auto difference_of = [](const FT& x, const FT& y) { return CGAL::to_double(Number(x) - Number(y)); };
   return {difference_of(p.x(), q.x()), difference_of(p.y(), q.y()), difference_of(p.z(), q.z())};
@@ -208,20 +208,20 @@ template <class Point_3>
 constexpr bool has_floating_point_coordinates =
     std::is_floating_point<std::decay_t<decltype(std::declval<const Point_3&>().x())>>::value;
 
-// What a map does to a face, see Triangle_stretch.
+// The distortion of a face by a map, see Triangle_stretch.
 struct Measured_face : Triangle_stretch
 {
   bool is_inverted;
 };
 
-// Measures all faces, in parallel unless numbers are exact: copies of those may share mutable state. `Selection` is
-// Exact_predicates_kernel_of_map of the property map of the images.
+// Measures all faces, in parallel unless numbers are exact: copies of exact numbers may share mutable state.
+// `Selection` is Exact_predicates_kernel_of_map of the property map of the images.
 template <class Selection, class Surface_point_3, class Image_point_3>
 std::vector<Measured_face> distortion_of_faces(const std::vector<Surface_point_3>& points,
                                                const std::vector<Image_point_3>& images,
                                                const Index_triangles& triangles, Execution execution)
 {
-  constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
+  constexpr std::size_t block_size = 256; // of parallel work: large enough to make the overhead negligible
   constexpr bool may_be_parallel =
       has_floating_point_coordinates<Surface_point_3> && has_floating_point_coordinates<Image_point_3>;
   const Orientation_about_origin_3<typename Selection::type> orientation;
@@ -236,7 +236,7 @@ std::vector<Measured_face> distortion_of_faces(const std::vector<Surface_point_3
   return result;
 }
 
-// where measure_distortion() without a property map for faces leaves their values
+// A write-only map that discards the values of faces, for measure_distortion() without a property map for them.
 struct No_face_map
 {
   template <class Face, class Distortion>

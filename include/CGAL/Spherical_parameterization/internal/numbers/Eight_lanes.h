@@ -28,9 +28,9 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
 
-// Eight lanes by AVX-512, where compilers make single numbers of the comparisons of a generic vector. These functions may only
-// be called where the processor has it; they are inlined into what is compiled for it, see run_in_lanes(), after the functions
-// that call them, which are not.
+// Eight lanes by AVX-512, because compilers scalarize the comparisons of a generic vector. These functions may only be
+// called on a processor with AVX-512. They are inlined into code that is compiled for it, see run_in_lanes(), after the
+// functions that call them, which are not compiled for it.
 #define CGAL_SP_EIGHT_LANES inline __attribute__((target("avx512f,avx512dq")))
 
 template <>
@@ -128,7 +128,7 @@ public:
   }
 
 private:
-  static constexpr __mmask8 all = 0xff; // the same without a mask begins with what is not set, and g++ 12 warns of it
+  static constexpr __mmask8 all = 0xff; // unmasked, they read uninitialized values: g++ 12 warns
 
   CGAL_SP_EIGHT_LANES explicit Packed_double(const __m512d& lanes)
     : m_lanes(lanes)

@@ -23,20 +23,20 @@
 #include <emmintrin.h>
 #endif
 
-// Whether the compiler has vectors beyond the standard. A program that defines CGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX is
-// compiled as by one that has nothing of the kind.
+// Whether the compiler has vector extensions. Programs that define CGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX are
+// compiled as without them.
 #if defined(__GNUC__) && !defined(CGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX)
 #define CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #endif
 
-// Whether Eight_lanes.h has a number type of its own. Clang inlines what is called directly only, and MinGW-w64 does not align
-// stacks for such numbers.
+// Whether Eight_lanes.h has its own number type. Clang inlines only direct calls, and MinGW-w64 does not align stacks
+// for such numbers.
 #if defined(CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS) && defined(__x86_64__) && !defined(__clang__) &&              \
     !defined(_WIN32)
 #define CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
 #endif
 
-// What is compiled for a better processor than the rest of the program has to be inlined into the function that is.
+// Code that is compiled for a better processor than the rest of the program must be inlined into its caller.
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #define CGAL_SP_INLINE inline __attribute__((always_inline))
 #else
@@ -49,11 +49,11 @@ namespace CGAL::Spherical_parameterization::internal {
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
-// The vectors of W numbers that compilers offer beyond the standard, and what they lack.
+// The vectors of W numbers in compiler extensions, and the operations that these lack.
 //
-// A vector is put together by its constructor from all its numbers at once, and what there is an instruction for with
-// two numbers is done by halves: compilers find the best for both. Numbers that are written one after the other would
-// be sent through the memory, from which a vector is not read before all of them are there.
+// A vector is constructed from all its numbers at once, and operations with an instruction for two numbers are done by
+// halves: compilers optimize both well. Numbers that are written one after the other would pass through memory, where
+// the load of the vector waits for all of them.
 template <int W>
 struct Packed_vectors;
 
@@ -64,7 +64,7 @@ struct Packed_vectors<2>
   typedef std::int64_t Integers __attribute__((vector_size(16)));
   typedef float Floats __attribute__((vector_size(8)));
 
-  // v[k] = f(k)
+  // v[k] = f(k).
   template <class Function>
   static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
   {
@@ -74,7 +74,7 @@ struct Packed_vectors<2>
   static CGAL_SP_INLINE void take_square_roots(Doubles& v)
   {
 #ifdef __SSE2__
-    // The library function would have to set errno, which keeps compilers from using the instruction for two numbers.
+    // The library function may set errno, which keeps compilers from using the instruction for two numbers.
     v = _mm_sqrt_pd(v);
 #else
     v = Doubles{std::sqrt(v[0]), std::sqrt(v[1])};
@@ -119,7 +119,7 @@ struct Packed_vectors<4>
   }
 };
 
-// A condition for each lane of a Packed_double: all bits of a lane are set where it holds.
+// A condition for each lane of a Packed_double: all bits of a lane are set if it is true.
 template <int W>
 class alignas(8 * W) Packed_mask
 {
@@ -141,7 +141,7 @@ public:
   friend CGAL_SP_INLINE Self operator||(const Self& a, const Self& b) { return Self(a.m_lanes | b.m_lanes); }
   friend CGAL_SP_INLINE Packed_mask operator!(const Packed_mask& a) { return Packed_mask(~a.m_lanes); }
 
-  // whether the condition holds in any lane
+  // Whether the condition is true in any lane.
   friend CGAL_SP_INLINE bool any(const Packed_mask& a) { return Packed_vectors<W>::any_negative(a.m_lanes); }
 
   CGAL_SP_INLINE const Integers& lanes() const { return m_lanes; }
@@ -150,14 +150,13 @@ private:
   Integers m_lanes;
 };
 
-// One number per lane for several stars that are worked on at once, as a number type: whatever is written for one star
-// with `double` works for several with this. All operations are those of IEEE arithmetic in each lane, so the result of
-// a star depends neither on its lane nor on how many lanes there are. What a condition decides for a double is done by
-// masks and select().
+// One number per lane for several stars that are processed at once, as a number type: code for one star with `double`
+// works for several stars with this type. All operations are those of IEEE arithmetic in each lane, so the result of a
+// star depends neither on its lane nor on the number of lanes. Conditions are evaluated by masks and select().
 //
-// The alignment is written out because compilers take that of a vector which the target has no registers for to be
-// smaller. The copy constructors are written out so that no compiler passes an object in registers: which ones there
-// are differs between functions that are compiled for different processors.
+// The alignment is explicit because compilers assume a smaller one for vectors that do not fit the registers of the
+// target. The copy constructors are explicit so that no compiler passes an object in registers, which differ between
+// functions that are compiled for different processors.
 template <int W>
 class alignas(8 * W) Packed_double
 {
@@ -176,7 +175,7 @@ public:
   {}
   CGAL_SP_INLINE Packed_double& operator=(const Packed_double& other) { return m_lanes = other.m_lanes, *this; }
 
-  // the values values[0], ..., values[width - 1]
+  // The values values[0], ..., values[width - 1].
   static CGAL_SP_INLINE Packed_double load(const double* values)
   {
     Packed_double result;
@@ -184,7 +183,7 @@ public:
     return result;
   }
 
-  // the same of floats
+  // The same for floats.
   static CGAL_SP_INLINE Packed_double load(const float* values)
   {
     Floats floats;
@@ -194,7 +193,7 @@ public:
 
   static CGAL_SP_INLINE void store(const Self& a, double* values) { std::memcpy(values, &a.m_lanes, sizeof(Doubles)); }
 
-  // the value of lane k is f(k)
+  // The value of lane k is f(k).
   template <class Function>
   static CGAL_SP_INLINE Packed_double generate(const Function& f)
   {
@@ -231,7 +230,7 @@ public:
     return result;
   }
 
-  // what clamped_exponential() needs of the bits
+  // Bit operations for clamped_exponential().
   friend CGAL_SP_INLINE Packed_double without_fraction(const Packed_double& shifted)
   {
     return Packed_double(Doubles(Integers(shifted.m_lanes) & 0x7fffffffffffff00));
@@ -308,25 +307,25 @@ CGAL_SP_INLINE double times_power_of_two(double a, double shifted)
   return double_of_bits(bits_of(a) + (bits_of(shifted) << 44));
 }
 
-// Next to this number, 3 * 2^43, doubles have eight bits behind the point: those before them are the integer k, if the
-// number k + exponential_shift is looked at.
+// Near this number, 3 * 2^43, doubles have eight fractional bits; the bits before them are the integer k of the number
+// k + exponential_shift.
 constexpr double exponential_shift = 26388279066624.;
 
-// exp(x) = 2^k power with 3/4 <= power < 3/2, but for a thousandth, where `shifted` becomes k + exponential_shift. So 1 + r
-// below is rounded less than it would be from sqrt(1/2) to sqrt(2), and the sum it is made of as well.
+// exp(x) = 2^k power with 3/4 <= power < 3/2, up to one thousandth; `shifted` becomes k + exponential_shift. This range
+// makes the rounding errors of 1 + r below, and of its summands, smaller than the range from sqrt(1/2) to sqrt(2).
 template <class FT>
 CGAL_SP_INLINE FT exponential_of_rest(const FT& x, FT& shifted)
 {
-  // x = k log(2) + r, with k rounded down where x / log(2) is 0.584 above it, the nearest of these steps to log2(3/2). The
-  // sign, which is not set, is masked, too: compilers that may reorder sums (-ffast-math) could not take the shift out again
-  // without any rounding.
+  // x = k log(2) + r, with k rounded down so that x / log(2) is at most 0.584 above it, the closest multiple of 1/256
+  // to log2(3/2). The sign bit, which is not set, is masked as well: otherwise, compilers that may reorder sums
+  // (-ffast-math) could remove the shift, and with it the rounding.
   shifted = without_fraction(x * FT(1.4426950408889634074) + FT(exponential_shift + 0.4140625));
   const FT k = shifted - FT(exponential_shift);
   const FT r = (x - k * FT(6.93147180369123816490e-01)) - k * FT(1.90821492927058770002e-10);
 
-  // exp(r) = 1 + r + r^2 q(r), where the largest error, 4.2e-18 of it, is the least that a polynomial q of this degree can
-  // have (by Remez' algorithm). The coefficients are written out, as a quotient of two numbers is not evaluated by compilers
-  // that have to respect the rounding mode, but whenever it is needed.
+  // exp(r) = 1 + r + r^2 q(r), with a maximum relative error of 4.2e-18, the minimum for a polynomial q of this degree
+  // (by the Remez algorithm). The coefficients are literals, because compilers that respect the rounding mode evaluate
+  // a quotient of two constants at run time.
   const FT r2 = r * r, r4 = r2 * r2;
   const FT q0 = (FT(4.99999999999999889e-01) + r * FT(1.66666666666677399e-01)) +
                 r2 * (FT(4.16666666666841712e-02) + r * FT(8.33333333242222522e-03));
@@ -336,9 +335,9 @@ CGAL_SP_INLINE FT exponential_of_rest(const FT& x, FT& shifted)
   return FT(1.) + (r + r2 * (q0 + r4 * (q1 + r4 * q2)));
 }
 
-// exp(a) from -708 to 709, with an error below 1 ulp (and a relative one of 1e-11 where doubles are not rounded to
-// nearest); what is smaller, or no number, gets the value at the lower end, what is larger that at the upper one. Every
-// number type gives the same bits. See exponential() for all doubles.
+// exp(a) from -708 to 709, with an error below 1 ulp (and a relative error of 1e-11 if doubles are not rounded to
+// nearest). Smaller values and NaN get the result at the lower end, larger ones that at the upper end. Every number
+// type gives the same bits. See exponential() for all doubles.
 template <class FT>
 CGAL_SP_INLINE FT clamped_exponential(const FT& a)
 {
@@ -348,7 +347,7 @@ CGAL_SP_INLINE FT clamped_exponential(const FT& a)
   return times_power_of_two(power, shifted);
 }
 
-// How to make a number, be it a single one or a packed one, whose static members do it.
+// Static functions that create single or packed numbers.
 template <class FT>
 struct Lanes : FT
 {};

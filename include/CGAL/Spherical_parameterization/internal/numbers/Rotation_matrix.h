@@ -33,10 +33,10 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A rotation by its matrix, row by row.
+// A rotation matrix, row by row.
 using Rotation_matrix = std::array<Vector_3d, 3>;
 
-// the same for callers
+// The same in the caller's type.
 inline Aff_transformation_3<Exact_predicates_inexact_constructions_kernel> as_transformation(const Rotation_matrix& r)
 {
   return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
@@ -68,14 +68,14 @@ inline Rotation_matrix rotation_matrix(const Quaternion& q)
           Vector_3d{s * (x * z - w * y), s * (y * z + w * x), 1. - s * (x * x + y * y)}};
 }
 
-// the cosine of the angle between two rotations
+// The cosine of the angle between two rotations.
 inline double cosine_between(const Rotation_matrix& a, const Rotation_matrix& b)
 {
   return 0.5 * (dot(a[0], b[0]) + dot(a[1], b[1]) + dot(a[2], b[2]) - 1.);
 }
 
-// The rotation that brings directions nearest to others, by least squares: the eigenvector of Horn's symmetric matrix
-// with the largest eigenvalue, by Jacobi's rotations. None if several rotations are equally good, or nearly so.
+// The least-squares rotation of directions onto others: the eigenvector of Horn's symmetric matrix with the largest
+// eigenvalue, by Jacobi rotations. There is none if several rotations are (nearly) equally good.
 inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pair<Vector_3d, Vector_3d>>& pairs)
 {
   std::array<Vector_3d, 3> s = {};
@@ -109,7 +109,7 @@ inline std::optional<Rotation_matrix> fitting_rotation(const std::vector<std::pa
   std::array<std::size_t, 4> order = {0, 1, 2, 3};
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return a[i][i] > a[j][j]; });
   const std::size_t best = order[0];
-  constexpr double min_gap = 1e-6; // for each pair, of which rounding makes some 1e-16
+  constexpr double min_gap = 1e-6; // per pair; rounding causes about 1e-16
   if(!(a[best][best] - a[order[1]][order[1]] > min_gap * static_cast<double>(pairs.size())))
     return std::nullopt;
   return rotation_matrix({v[0][best], v[1][best], v[2][best], v[3][best]});

@@ -29,7 +29,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The lower triangle of a sparse symmetric matrix, column by column; each begins with its diagonal entry, and rows increase.
+// The lower triangle of a sparse symmetric matrix, column by column; each starts with its diagonal entry, and rows
+// increase.
 struct Symmetric_matrix
 {
   std::size_t size() const { return starts.size() - 1; }
@@ -41,8 +42,8 @@ struct Symmetric_matrix
 
 #ifdef CGAL_EIGEN3_ENABLED
 
-// The position of each row of a symmetric matrix in an order of elimination that leaves few entries in L: approximate minimum degree.
-// for_each_entry(add) calls add(row, column) for all entries.
+// The position of each row of a symmetric matrix in an elimination order with little fill-in: approximate minimum
+// degree. for_each_entry(add) calls add(row, column) for all entries.
 template <class For_each_entry>
 std::vector<std::uint32_t> elimination_order(std::size_t size, const For_each_entry& for_each_entry)
 {
@@ -63,12 +64,13 @@ std::vector<std::uint32_t> elimination_order(std::size_t size, const For_each_en
 
 #endif // CGAL_EIGEN3_ENABLED
 
-// The factorization L D L^T of such a matrix, in the order of its rows, row by row (Davis, Direct Methods for Sparse Linear
-// Systems, section 4.8). For a large mesh it takes seconds, in which it can be stopped, unlike those of Eigen.
+// The factorization L D L^T of such a matrix, in the order of its rows, row by row (Davis, Direct Methods for Sparse
+// Linear Systems, section 4.8). For a large mesh it takes seconds; unlike the factorizations of Eigen, it can be
+// stopped.
 class Sparse_factorization
 {
 public:
-  // Finds where L has entries, which depends on the pattern of the matrix alone.
+  // Computes the pattern of L, which depends only on the pattern of the matrix.
   explicit Sparse_factorization(const Symmetric_matrix& matrix)
     : m_parents(matrix.size(), none)
     , m_starts(matrix.size() + 1, 0)
@@ -91,13 +93,13 @@ public:
     }
     for(std::size_t k = 0; k < matrix.size(); ++k)
       m_starts[k + 1] += m_starts[k];
-    // Without a value: to fill what a large mesh needs takes seconds.
+    // Uninitialized: filling the memory for a large mesh takes seconds.
     m_rows.reset(new std::uint32_t[m_starts.back()]);
     m_values.reset(new double[m_starts.back()]);
   }
 
-  // Factorizes a matrix of the pattern. Returns false if there is no factorization, or goes_on(), asked every few milliseconds, is
-  // false.
+  // Factorizes a matrix with this pattern. Returns false if there is no factorization, or if goes_on(), called every
+  // few milliseconds, returns false.
   template <class Goes_on>
   bool factorize(const Symmetric_matrix& matrix, const Goes_on& goes_on)
   {
@@ -107,7 +109,7 @@ public:
     std::vector<double> row(matrix.size(), 0.);
     for(std::uint32_t k = 0; k < matrix.size(); ++k)
     {
-      // The entries of row k of L, such that each comes before those that it changes.
+      // The entries of row k of L, each before those that it changes.
       std::size_t top = matrix.size();
       m_marks[k] = k;
       for(std::size_t e = m_row_starts[k]; e < m_row_starts[k + 1]; ++e)
@@ -149,7 +151,7 @@ public:
     return true;
   }
 
-  // Replaces the right side of the equations by the solution.
+  // Replaces the right-hand side of the equations by the solution.
   void solve(std::vector<double>& x) const
   {
     const std::size_t n = m_diagonal.size();
@@ -166,7 +168,7 @@ public:
 private:
   static constexpr std::uint32_t none = ~std::uint32_t(0);
 
-  // the entries of each row left of the diagonal: their columns, and their positions in the values
+  // The entries of each row left of the diagonal: their columns, and their positions in the values.
   void collect_rows(const Symmetric_matrix& matrix)
   {
     m_row_starts.assign(matrix.size() + 1, 0);
@@ -184,12 +186,12 @@ private:
 
   std::vector<std::size_t> m_row_starts;
   std::vector<std::pair<std::uint32_t, std::size_t>> m_entries;
-  std::vector<std::uint32_t> m_parents;    // in the tree of elimination
-  std::vector<std::size_t> m_starts;       // of the columns of L, without its diagonal of ones
+  std::vector<std::uint32_t> m_parents;    // in the elimination tree
+  std::vector<std::size_t> m_starts;       // of the columns of L, without its unit diagonal
   std::unique_ptr<std::uint32_t[]> m_rows; // of the entries of L
   std::unique_ptr<double[]> m_values;      // of the entries of L
   std::vector<double> m_diagonal;          // D
-  std::vector<std::uint32_t> m_marks;      // the last row in which a column has been visited
+  std::vector<std::uint32_t> m_marks;      // the last row in which a column was visited
   std::vector<std::uint32_t> m_pattern;    // of a row of L
 };
 

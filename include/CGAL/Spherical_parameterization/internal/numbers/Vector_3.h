@@ -29,7 +29,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Three numbers without a kernel: everything between reading the mesh and writing the map works on arrays of these.
+// Three numbers without a kernel: all computations between reading the mesh and writing the map use arrays of these.
 template <class FT>
 using Vector_3 = std::array<FT, 3>;
 using Vector_3d = Vector_3<double>;
@@ -64,7 +64,7 @@ Vector_3<FT> cross(const Vector_3<FT>& a, const Vector_3<FT>& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// of ranges of equal size
+// Of ranges of equal size.
 template <class Range1, class Range2>
 double inner_product(const Range1& a, const Range2& b)
 {
@@ -97,8 +97,8 @@ inline Vector_3d normalized_or_zero(const Vector_3d& a)
   return length(a) > 0. ? normalized(a) : a;
 }
 
-// Whether x is neither infinite nor NaN. It asks the bits, as a compiler that may assume that all numbers are finite
-// (-ffinite-math-only, part of -ffast-math) replaces std::isfinite() by true.
+// Whether x is neither infinite nor NaN. It tests the bits, because compilers that may assume that all numbers are
+// finite (-ffinite-math-only, part of -ffast-math) replace std::isfinite() by true.
 inline bool is_finite(double x)
 {
   std::uint64_t bits;
@@ -118,9 +118,9 @@ inline bool is_positive_and_finite(double x)
   return x > 0. && is_finite(x);
 }
 
-// An orthonormal frame (t1, t2, n) at the point n of the unit sphere. Points near n are handled by their offsets from n
-// in this frame: differences of nearby coordinates are exact, so a triangle keeps its relative precision however small
-// it is.
+// An orthonormal frame (t1, t2, n) at the point n of the unit sphere. Points near n are represented by their offsets
+// from n in this frame: differences of nearby coordinates are exact, so even small triangles keep their relative
+// precision.
 template <class FT>
 class Basic_tangent_frame
 {
@@ -128,8 +128,8 @@ public:
   explicit Basic_tangent_frame(const Vector_3<FT>& n)
     : m_n(n)
   {
-    // The two axes as smooth functions of n but for the plane n.z = 0, where the sign keeps the denominator away from
-    // 0.
+    // The two axes are smooth functions of n except at the plane n.z = 0, where the sign keeps the denominator away
+    // from 0.
     const FT sign = select(n[2] < 0., FT(-1.), FT(1.));
     const FT a = -1. / (sign + n[2]);
     const FT b = n[0] * n[1] * a;
@@ -137,24 +137,24 @@ public:
     m_t2 = {b, sign + n[1] * n[1] * a, -n[1]};
   }
 
-  // the offset of `p` from the origin of the frame, in the coordinates of the frame
+  // The offset of `p` from the origin of the frame, in the coordinates of the frame.
   Vector_3<FT> offset_of(const Vector_3<FT>& p) const { return coordinates_of(p - m_n); }
 
-  // a vector in the coordinates of the frame
+  // A vector in the coordinates of the frame.
   Vector_3<FT> coordinates_of(const Vector_3<FT>& v) const { return {dot(v, m_t1), dot(v, m_t2), dot(v, m_n)}; }
 
-  // the tangential vector with the given coordinates
+  // The tangential vector with the given coordinates.
   Vector_3<FT> vector_of(const FT& x, const FT& y) const { return x * m_t1 + y * m_t2; }
 
-  // the point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1
+  // The point of the sphere whose offset has the tangential coordinates `x` and `y`, x^2 + y^2 < 1.
   Vector_3<FT> point_at(const FT& x, const FT& y) const
   {
     const Vector_3<FT> p = m_n + (x * m_t1 + y * m_t2 + height_at(x, y) * m_n);
-    // The length is that of n, 1 up to some roundings, so that one step of Newton's method normalizes it.
+    // The length is that of n, 1 up to a few roundings, so one step of Newton's method normalizes it.
     return (1.5 - 0.5 * squared_length(p)) * p;
   }
 
-  // the offset along n of that point: sqrt(1 - x^2 - y^2) - 1 without its cancellation
+  // The offset of that point along n: sqrt(1 - x^2 - y^2) - 1 without cancellation.
   static FT height_at(const FT& x, const FT& y)
   {
     const FT t = x * x + y * y;
@@ -173,8 +173,8 @@ Vector_3d rounded(const Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-// The direction of a point, at distance 1 from the origin, rounded. Powers of two keep squares from overflow and underflow,
-// and change no bit of what needs none.
+// The direction of a point as a rounded unit vector. Powers of two avoid overflow and underflow of squares, and do not
+// change the result if there is none.
 inline Vector_3d direction_of(const Vector_3d& x)
 {
   int exponent;

@@ -11,16 +11,17 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
-// From here to end_arithmetic.h, each floating-point operation is rounded by itself.
+// Between this file and end_arithmetic.h, each floating-point operation is rounded individually.
 //
-// Where the processor multiplies and adds in one operation, compilers use it for a * b + c unless they are asked not to, and the
-// result is another one in the last digit: on AArch64, and on x86-64 with -march=native. So each header that computes is between
-// these two files, its includes are not: what the package takes from other libraries (std::inner_product, products of
-// std::complex) is compiled as the user wants, and must not be used where it rounds twice. There is nothing to do for a target without such an operation.
-// g++ inlines none of these functions into functions of others. Its vectorizer multiplies and adds in one operation even so (the
-// patterns of complex numbers in g++ 12, with -ffp-contract=off as well), and is left out: what counts is written in lanes.
+// If the processor has a fused multiply-add instruction, compilers use it for a * b + c by default, which changes the
+// last digit of the result: on AArch64, and on x86-64 with -march=native. So the code of each header that computes is
+// between these two files, but not its includes: functions of other libraries (std::inner_product, products of
+// std::complex) are compiled with the user's options, and must not be used where they round twice. Targets without such
+// an instruction need no options. g++ does not inline these functions into others. Its vectorizer uses fused
+// multiply-add even with -ffp-contract=off (patterns of complex numbers in g++ 12), and is disabled;
+// performance-critical code is written in lanes.
 //
-// It has no include guard, as CGAL/disable_warnings.h has none.
+// This file has no include guard, like CGAL/disable_warnings.h.
 #if defined(__clang__)
 #pragma float_control(push)
 #pragma clang fp contract(off)

@@ -26,7 +26,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// One number for a system of equations, or one for each of N systems that have the same matrix and alternate in vectors.
+// One number for a system of equations, or one for each of N systems that have the same matrix and are interleaved in
+// vectors.
 inline double of_element(double x, std::size_t)
 {
   return x;
@@ -37,7 +38,7 @@ double of_element(const std::array<double, N>& x, std::size_t k)
   return x[k % N];
 }
 
-// x / y, or 0 where y is not positive: a system that is solved, or not positive definite, is left alone.
+// x / y, or 0 if y is not positive: a system that is solved, or not positive definite, does not change any more.
 inline double ratio(double x, double y)
 {
   return y > 0. ? x / y : 0.;
@@ -51,10 +52,10 @@ std::array<double, N> ratio(const std::array<double, N>& x, const std::array<dou
   return result;
 }
 
-// Solves A x = b for a symmetric and positive definite A by the method of conjugate gradients. `x` is the start, and `r` is
+// Solves A x = b for a symmetric and positive definite A by conjugate gradients. `x` is the initial guess, and `r` is
 // its residual b - A x. multiply(p, q) writes A p to q and returns the product of p and q; precondition(r, z) writes an
-// approximation of A^-1 r to z and returns the product of r and z. After k steps, go_on(k, product, first, step) decides
-// by this product, what it was at first, and the length of the last step. Returns the number of steps.
+// approximation of A^-1 r to z and returns the product of r and z. After k steps, go_on(k, product, first, step)
+// decides by this product, its initial value, and the length of the last step. Returns the number of steps.
 template <class T, class Multiply, class Precondition, class GoOn>
 std::size_t conjugate_gradients(std::vector<T>& x, std::vector<T>& r, const Multiply& multiply,
                                 const Precondition& precondition, const GoOn& go_on, const Execution& execution = {})

@@ -23,19 +23,19 @@
 #include <cstdint>
 #include <limits>
 
-// Functions of the standard library that are not the same everywhere, as they are not rounded correctly: these give the
-// same bits on every machine whose doubles are those of IEEE, by any compiler that does not contract products and sums.
-// They are made of + - * /, the square root, and the bits of numbers. Where rounding counts, a number is a sum of two.
-// Zeros, infinities, NaN and what is too large or too small get what the standard library says.
+// Replacements of functions of the standard library that are not correctly rounded and so differ between systems. These
+// give the same bits on every machine with IEEE doubles, with any compiler that does not contract products and sums.
+// They consist of + - * /, the square root, and operations on the bits of numbers. Where rounding matters, a number is
+// a sum of two. Zeros, infinities, NaN and out-of-range arguments give the results of the standard library.
 //
-// Coefficients of polynomials are those that interpolate, in 60 digits, at the zeros of a Chebyshev polynomial, rounded.
-// The largest error of each function in units of the last place (ulp) is what test_numbers measures and holds it to.
+// Coefficients of polynomials interpolate, in 60 digits, at the zeros of a Chebyshev polynomial, and are rounded. The
+// test test_numbers measures and bounds the largest error of each function in units of the last place (ulp).
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// high + low, where `low` is at most some units in the last place of `high`.
+// high + low, where `low` is at most a few units in the last place of `high`.
 struct Double_double
 {
   double high, low;
@@ -48,27 +48,27 @@ inline Double_double exact_sum(double a, double b)
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-// the same for |a| >= |b| or a = 0 (Dekker)
+// The same for |a| >= |b| or a = 0 (Dekker).
 inline Double_double exact_sum_of_ordered(double a, double b)
 {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-// The first 26 bits of a number: products of these are exact. There is no overflow, as with Veltkamp's product.
+// The first 26 bits of a number: products of these are exact. Unlike in Veltkamp's product, there is no overflow.
 inline double upper_half(double a)
 {
   return double_of_bits(bits_of(a) & 0xfffffffff8000000);
 }
 
-// a b, but for 2^-105 of it (Dekker); it must not overflow, and from 2^-960 on not underflow.
+// a b, up to 2^-105 of it (Dekker); it must not overflow, and from 2^-960 on it does not underflow.
 inline Double_double exact_product(double a, double b)
 {
   const double product = a * b, a1 = upper_half(a), a2 = a - a1, b1 = upper_half(b), b2 = b - b1;
   return {product, ((a1 * b1 - product) + (a1 * b2 + a2 * b1)) + a2 * b2};
 }
 
-// a / b, but for some 2^-100 of it
+// a / b, up to about 2^-100 of it.
 inline Double_double quotient(const Double_double& a, const Double_double& b)
 {
   const double inverse = 1. / b.high, q = a.high * inverse;
@@ -76,7 +76,7 @@ inline Double_double quotient(const Double_double& a, const Double_double& b)
   return {q, (((a.high - product.high) - product.low) + (a.low - q * b.low)) * inverse};
 }
 
-// c0 + c1 x + c2 x^2 + ..., two terms at a time, which takes half as long as one after the other
+// c0 + c1 x + c2 x^2 + ..., two terms at a time, which takes half the time of one term after the other.
 inline double polynomial(double, double, double c0)
 {
   return c0;
@@ -90,7 +90,7 @@ double polynomial(double x, double square, double c0, double c1, Coefficients...
     return (c0 + x * c1) + square * polynomial(x, square, others...);
 }
 
-// exp(a); error: 1 ulp, and the bits of clamped_exponential() in its range
+// exp(a); error: 1 ulp; bitwise equal to clamped_exponential() in its range.
 inline double exponential(double a)
 {
   double shifted;
@@ -127,8 +127,8 @@ inline double logarithm(double a)
   const double m = double_of_bits(bits - ((steps - exponent_of_one) << 52));
   const double k = static_cast<double>(static_cast<int>(steps) - 1023 - (is_denormal ? 54 : 0));
 
-  // With f = m - 1 and s = f / (2 + f), log(m) = 2 artanh(s) = f - s (f - s^2 p(s^2)). Of log(2), k times the first part is
-  // exact.
+  // With f = m - 1 and s = f / (2 + f), log(m) = 2 artanh(s) = f - s (f - s^2 p(s^2)). The product of k and the first
+  // part of log(2) is exact.
   const double f = m - 1., s = f / (2. + f), z = s * s;
   const double series =
       polynomial(z, z * z, 6.66666666666666963e-01, 3.99999999998994993e-01, 2.85714286259782624e-01,
@@ -137,14 +137,14 @@ inline double logarithm(double a)
   return sum.high + ((sum.low + k * 0x1.ef35793c7673p-45) - s * (f - z * series));
 }
 
-// An angle that is `quarters` quarter turns and a rest of at most an eighth of a turn, but for rounding.
+// An angle as `quarters` quarter turns and a rest of at most an eighth of a turn, up to rounding error.
 struct Reduced_angle
 {
   explicit Reduced_angle(double angle)
   {
     constexpr double max_angle = 2e5; // k has 17 bits, and the first two parts of pi / 2 have 36 of them
     if(!(std::abs(angle) <= max_angle))
-      angle = std::fmod(angle, 6.283185307179586); // which is exact, but for that number
+      angle = std::fmod(angle, 6.283185307179586); // exact, except for this constant
     const double k_rounded = angle * 0.6366197723675814 + (angle < 0. ? -0.5 : 0.5);
     const std::int64_t n = std::abs(k_rounded) <= 2. * max_angle ? static_cast<std::int64_t>(k_rounded) : 0; // no NaN
     const double k = static_cast<double>(n);
@@ -178,7 +178,8 @@ struct Reduced_angle
   unsigned quarters;
 };
 
-// sin(a) and cos(a); error: 0.9 ulp up to 2e5 on both sides. Beyond, that of `a` by half a unit in its last place is added.
+// sin(a) and cos(a); error: 0.9 ulp for |a| <= 2e5. Beyond, the effect of half a unit in the last place of `a` is
+// added.
 inline double sine(double a)
 {
   if(std::abs(a) < 1e-8)
@@ -195,8 +196,8 @@ inline double cosine(double a)
   return (angle.quarters + 1) & 2 ? -result : result;
 }
 
-// The angle from 0 to pi of the point (x, y) with y >= 0, which is not the origin, from the x-axis. Neither may be too large
-// or too small to be multiplied and divided.
+// The angle from 0 to pi of the point (x, y) with y >= 0, which is not the origin, from the x-axis. Both coordinates
+// must be in a range in which products and quotients neither overflow nor underflow.
 inline double angle_of(double y, double x)
 {
   const double width = std::abs(x);
@@ -218,7 +219,7 @@ inline double angle_of(double y, double x)
   const Double_double angle = exact_sum_of_ordered(angles[i].high, t.high);
   const double low = angle.low + (angles[i].low + (t.low + t.high * z * series));
 
-  // from the nearest axis
+  // From the nearest axis.
   const double quarters = is_steep ? 1. : (x < 0. ? 2. : 0.);
   const double sign = is_steep == (x < 0.) ? 1. : -1.;
   const Double_double sum = exact_sum_of_ordered(quarters * 0x1.921fb54442d18p+0, sign * angle.high);
@@ -251,14 +252,14 @@ inline double arc_tangent(double y, double x)
   return std::copysign(angle_of(a, b), y);
 }
 
-// sqrt(x^2 + y^2 + z^2); error: 0.6 ulp, or 0.8 of denormal numbers
+// sqrt(x^2 + y^2 + z^2); error: 0.6 ulp, or 0.8 for denormal numbers
 inline double hypotenuse(double x, double y, double z = 0.)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double a = std::abs(x), b = std::abs(y), c = std::abs(z), size = (std::max)((std::max)(a, b), c);
   if(a == infinity || b == infinity || c == infinity)
     return infinity;
-  // a power of two, 2^600 or its inverse, where squares would be too large or too small
+  // A power of two, 2^600 or its inverse, if squares would be too large or too small.
   const double scale = size > 1e135 ? 0x1p-600 : (size < 1e-135 ? 0x1p600 : 1.);
   const double u = scale * x, v = scale * y, w = scale * z;
   const Double_double uu = exact_product(u, u), vv = exact_product(v, v), ww = exact_product(w, w);
@@ -283,7 +284,8 @@ inline double cube_root(double a)
   const double fraction = std::frexp(size, &exponent);
   const int k = (exponent + 2999) / 3 - 1000;
   const double m = std::ldexp(fraction, exponent - 3 * k);
-  // interpolated to a percent, by Halley's method to all digits but the last, by Newton's method with all of m - r^3
+  // Interpolated with an error of one percent, improved by Halley's method to all digits but the last, and by Newton's
+  // method with the exact m - r^3.
   double r = 0.71673464 + m * (0.32883645 + m * (-0.034026054 + m * 0.0016274953));
   for(int step = 0; step < 2; ++step)
   {

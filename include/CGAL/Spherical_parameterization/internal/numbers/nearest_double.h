@@ -27,8 +27,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A double as a rational number. Without GMP, CGAL makes it of a numerator and a denominator that are doubles, which there are not
-// for small numbers, and what it makes of floats is rounded to integers.
+// A double as a rational number. Without GMP, CGAL makes it from a numerator and a denominator of type double, which do
+// not exist for small numbers, and its conversion of floats rounds to integers.
 inline Exact_rational exact_rational(double x)
 {
   constexpr double smallest = 1e-200, scale = 0x1p600;
@@ -41,7 +41,7 @@ double nearest_double(const Number& x)
   return CGAL::to_double(x);
 }
 
-// The largest double that is not larger than x >= 0: doubles are in the order of their bits.
+// The largest double that is not larger than x >= 0: non-negative doubles are ordered like their bits.
 inline double largest_double_below(const Exact_rational& x)
 {
   std::uint64_t low = 0, high = bits_of(HUGE_VAL);
@@ -53,9 +53,9 @@ inline double largest_double_below(const Exact_rational& x)
   return double_of_bits(low);
 }
 
-// A rational number, rounded to the nearest double, of two as near to the even one. CGAL::to_double() rounds towards zero or to
-// nearest, or errs by more, and has 0 or NaN where numerator and denominator are both beyond the range of doubles: that depends on
-// the library that computes with such numbers.
+// Rounds a rational number to the nearest double, ties to even. CGAL::to_double() rounds towards zero or to nearest, or
+// has a larger error, and returns 0 or NaN if numerator and denominator are both beyond the range of double, depending
+// on the number library.
 inline double nearest_double(const Exact_rational& x)
 {
   if(CGAL::sign(x) == NEGATIVE)

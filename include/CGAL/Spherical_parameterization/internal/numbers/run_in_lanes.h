@@ -25,7 +25,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Stands for a number type in the call of a generic function.
+// Passes a number type to a generic function.
 template <class FT_>
 struct Number_type
 {
@@ -34,7 +34,7 @@ struct Number_type
 
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 #ifdef CGAL_SPHERICAL_PARAMETERIZATION_HAS_EIGHT_LANES
-// Here the processor multiplies and adds in one operation; see begin_arithmetic.h.
+// This processor has a fused multiply-add instruction; see begin_arithmetic.h.
 template <class Function>
 __attribute__((target("avx512f,avx512dq"), optimize("fp-contract=off", "no-tree-vectorize"), flatten)) //
 void run_in_eight_lanes(const Function& f)
@@ -58,8 +58,9 @@ __attribute__((flatten)) void run_in_two_lanes(const Function& f)
 }
 #endif // CGAL_SPHERICAL_PARAMETERIZATION_HAS_VECTORS
 
-// Calls f(Number_type<FT>()) with the packed number type that this processor works on best, of no more than `max_lanes` numbers,
-// compiled for it, whatever the rest of the program is compiled for. As nothing about a lane depends on the others, all of them give the same.
+// Calls f(Number_type<FT>()) with the packed number type that is fastest on this processor, with no more than
+// `max_lanes` numbers. The call is compiled for the processor, independently of the rest of the program. Since lanes
+// are independent of each other, all number types give the same results.
 template <std::size_t max_lanes = 8, class Function>
 void run_in_lanes(const Function& f)
 {
@@ -79,8 +80,8 @@ void run_in_lanes(const Function& f)
 #endif
 }
 
-// What a thread keeps from one call of such a function to the next: a T<FT> for each number type, made when it is asked for
-// first, which is where the processor has it.
+// The data that a thread keeps between calls of such a function: a T<FT> for each number type, created at its first
+// use, since that is only possible on a processor that supports it.
 template <template <class> class T>
 class In_lanes
 {

@@ -36,7 +36,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A mesh and its map as flat arrays, in the order of the mesh; vertices without faces are left out.
+// A mesh and its map as flat arrays, in the order of the mesh, without isolated vertices.
 template <class TriangleMesh, class VertexSphereMap>
 struct Mesh_on_sphere
 {
@@ -52,7 +52,7 @@ struct Mesh_on_sphere
   std::vector<Linked_triangle> triangles;
   std::vector<Vector_3d> points; // of the surface
 
-  // Copies the mesh and checks that the map is a bijection, unless that is known.
+  // Copies the mesh and checks that the map is a bijection, unless this is known.
   Error_code read(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map, bool is_known_to_be_bijective,
                   const Execution& execution)
   {
@@ -69,7 +69,7 @@ struct Mesh_on_sphere
     return OK;
   }
 
-  // The same with the points of the surface, by the named parameters of the call.
+  // The same, and also copies the points of the surface, given by the named parameters of the call.
   template <class NamedParameters>
   Error_code read_with_points(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
                               const NamedParameters& np, const Execution& execution)
@@ -80,7 +80,7 @@ struct Mesh_on_sphere
     return are_finite(points) ? OK : ERROR_NON_FINITE_COORDINATE;
   }
 
-  // What is wrong with a mesh that has no map, or with its map, is told by the check that parameterize() makes.
+  // Finds the defect of a mesh without a valid map, or of its map, by the checks of parameterize().
   static Error_code find_error(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map)
   {
     Mesh_arrays<TriangleMesh> arrays;

@@ -29,12 +29,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A control by the named parameters of a call: its visitor, and its time limit.
+// A Run_control for the visitor and the time limit in the named parameters of a call.
 template <class NamedParameters>
 class Visitor_control : public Run_control
 {
 public:
-  // `report` is a `Parameterization_report`, if the call gives one.
+  // `report` is a `Parameterization_report`, if the caller has one.
   template <class... Report>
   explicit Visitor_control(const NamedParameters& np, Report&... report)
     : Run_control(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time), 0.),

@@ -42,10 +42,10 @@ class Stretch_energy_3;
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A mistake in a call of a function of the package is a sentence of the compiler. What calls the functions below does not
-// instantiate anything else if they return `false`, so that it is the only one.
+// Each incorrect argument of a public function causes one static assertion with a readable message. If the functions
+// below return `false`, their callers instantiate nothing else, so that no other error follows.
 
-// `boost::graph_traits` of what is no graph is an error.
+// `boost::graph_traits` of a type that is not a graph is a compile error.
 template <class T>
 using Number_of_faces = decltype(num_faces(std::declval<const T&>()));
 
@@ -60,7 +60,7 @@ constexpr bool is_property_map = is_detected<Property_map_types, T>;
 template <class T>
 using Point_of_kernel = typename Kernel_traits<T>::Kernel::Point_3;
 
-// of a property map
+// For a property map.
 template <class Map>
 constexpr bool holds_points()
 {
@@ -90,7 +90,7 @@ constexpr bool check_mesh()
   return is_mesh;
 }
 
-// for a mesh that is one, and the map of its vertices to the sphere
+// For a type that has been checked to be a mesh, and the map of its vertices to the sphere.
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_images()
 {
@@ -109,7 +109,7 @@ constexpr bool check_images()
   return false;
 }
 
-// the same for a map that is written
+// The same for a map that is written.
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_map()
 {
@@ -123,7 +123,7 @@ constexpr bool check_map()
   return false;
 }
 
-// for the functions that read a map to the sphere
+// For functions that read a map to the sphere.
 template <class TriangleMesh, class VertexSphereMap>
 constexpr bool check_mesh_and_readable_map()
 {
@@ -176,7 +176,7 @@ constexpr bool check_settings()
   return false;
 }
 
-// for the function, which takes any model of `SphericalParameterizer_3`
+// For the function parameterize(), which accepts any model of `SphericalParameterizer_3`.
 template <class TriangleMesh, class Parameterizer, class VertexSphereMap, class NamedParameters>
 constexpr bool check_arguments()
 {
@@ -197,7 +197,7 @@ constexpr bool check_arguments()
   return false;
 }
 
-// for a mesh that is one; without the parameter, the mesh has to have points of its own
+// For a type that has been checked to be a mesh; without the parameter, the mesh must have an internal point map.
 template <class TriangleMesh, class NamedParameters>
 constexpr bool check_vertex_point_map()
 {

@@ -21,7 +21,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Mistakes in a call of what may be stopped, see check_arguments.h.
+// Checks of the arguments of functions that can be stopped, see check_arguments.h.
 
 template <class Visitor>
 using Visitor_results =
@@ -37,7 +37,7 @@ template <class NamedParameters>
 using Visitor_of_call =
     typename internal_np::Lookup_named_param_def<internal_np::visitor_t, NamedParameters, Default_visitor>::reference;
 
-// for a mesh that is one: the named parameters of what may be stopped
+// For a type that has been checked to be a mesh: the named parameters of functions that can be stopped.
 template <class TriangleMesh, class NamedParameters>
 constexpr bool check_run_parameters()
 {
@@ -52,7 +52,7 @@ constexpr bool check_run_parameters()
   return is_visitor && is_time && check_vertex_point_map<TriangleMesh, NamedParameters>();
 }
 
-// for the parameterizers
+// For parameterizers.
 template <class TriangleMesh, class VertexSphereMap, class NamedParameters>
 constexpr bool check_run()
 {

@@ -24,10 +24,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Makes a map of the connectivity alone, which never fails.
+// Computes a map from the connectivity alone. It never fails.
 void draw_surface(Run& run);
 
-// Takes images of the vertices, in the caller's order, projected to the unit sphere. Returns whether they make a bijection there.
+// Projects images of the vertices, in the caller's order, to the unit sphere and stores them. Returns whether they are
+// a bijection there.
 bool take_map(std::vector<Vector_3d> images, Run& run);
 
 } // namespace CGAL::Spherical_parameterization::internal

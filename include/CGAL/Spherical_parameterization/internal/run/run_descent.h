@@ -31,12 +31,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The steps of a vertex, see Vertex_step.h
+// The step types of a vertex, see Vertex_step.h.
 class Newton_step;
 class Gradient_step;
 
-// A model of SphereRadiusPolicy_3 as the loop over sweeps sees it. Each run works on a copy, as a policy may keep a
-// state.
+// Adapts a model of SphereRadiusPolicy_3 to the loop over sweeps. Each run works on a copy, since a policy may have
+// mutable state.
 template <class Radius, class Energy>
 class Radius_policy_chooser : public Radius_chooser
 {
@@ -55,20 +55,20 @@ private:
   Energy m_energy;
 };
 
-// Makes the first map, by the hierarchy unless that fails, and tells the visitor of it. If `shares` are given, they are the areas
-// that the vertices are to have, in the place of their own.
+// Computes the initial map, by the hierarchy unless that fails, and calls the visitor. If `shares` are given, they are
+// the prescribed areas of the vertices, instead of the areas on the surface.
 template <class Energy>
 void embed_surface(const Energy& energy, std::size_t sweeps_per_level, bool sweeps_finest_level, Run& run,
                    const std::vector<double>& shares = {});
 
-// Lowers the energy of a bijection by sweeps. Faces that rounding might turn over on the way, as the last resort may have some
-// above 1.7 million vertices, stay as they are. If `shares` are given, faces get the shapes that they have on the surface, but the
-// areas that these say.
+// Minimizes the objective by sweeps, starting from a bijection. The map of the last resort, above 1.7 million vertices,
+// may have faces that rounding errors of the sweeps could invert; then there are no sweeps. If `shares` are given,
+// faces keep their shapes on the surface but get these areas.
 template <class Step, class Energy>
 void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& sharpness, const Descent_settings& settings,
              std::size_t max_sweeps, Run& run, const std::vector<double>& shares = {});
 
-// The same with a radius policy, or none, and tells the visitor of the end.
+// The same with a radius policy, or without one; calls the visitor at the end.
 template <class Step, class Energy, class Radius>
 void run_descent(const Energy& energy, const Radius& radius, const Sharpness& sharpness,
                  const Descent_settings& settings, std::size_t max_sweeps, Run& run)

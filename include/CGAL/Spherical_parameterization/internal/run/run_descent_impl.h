@@ -65,8 +65,8 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
     report.stop_reason = OBSTRUCTED;
 }
 
-// The descents that are in the library, which src/ defines: those by the energies of the package. Others are compiled where they
-// are called.
+// The library, in src/, defines the descents for the energies of the package. Descents for other energies are compiled
+// where they are called.
 
 #define CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Step)                                                  \
   EXTERN template void descend<Step>(const Energy&, Radius_chooser*, const Sharpness&, const Descent_settings&,        \

@@ -44,9 +44,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A run from the caller's mesh to the caller's map, as every parameterizer makes it: read(), the work of its method on the
-// members of Run, and write(). The caller's types end here.
-// `error` is what write() returns: at first that of a setting out of its range, then that of read(), then the method's.
+// A run from the caller's mesh to the caller's map, common to all parameterizers: read(), the computation of the method
+// on the members of Run, and write(). Only this class and write_map() know the caller's types. `error` is the result of
+// write(): first that of a setting out of its range, then that of read(), then that of the method.
 template <class ConcurrencyTag_, class TriangleMesh, class NamedParameters>
 class Parameterization_run : public Run
 {
@@ -85,12 +85,13 @@ public:
     return read([](const auto&) { return OK; });
   }
 
-  // The same, and then calls read_more(arrays) for the arrays of the mesh, if it has none, which may return what else is wrong.
+  // The same, and then calls read_more(arrays) with the arrays of a mesh without defects; it returns a further error
+  // code.
   template <class Function>
   bool read(const Function& read_more)
   {
     run_both(
-        execution, [] {}, [] {}); // the thread pool starts meanwhile
+        execution, [] {}, [] {}); // starts the thread pool concurrently
     Mesh_arrays<TriangleMesh> arrays;
     error = read_surface(tmesh, vertex_point_map(), arrays, surface);
     Parameterization_report& report = control.report();
@@ -113,7 +114,7 @@ public:
     return take_map(read_points(m_vertices, map), *this);
   }
 
-  // Certifies and writes the map, by what the method guarantees, if reading and the method have succeeded.
+  // Certifies and writes the map, according to the guarantee of the method, if reading and the method have succeeded.
   template <class VertexSphereMap>
   Error_code write(VertexSphereMap vertex_sphere_map, Guarantee guarantee = Guarantee::ONE_TO_ONE)
   {
@@ -143,8 +144,8 @@ public:
   Error_code error = ERROR_WRONG_PARAMETER;
 };
 
-// What the function parameterize() of a method does: calls method(run), which reads the mesh and makes the map, and writes it, by
-// what the method guarantees.
+// Implements the function parameterize() of a method: calls method(run), which reads the mesh and computes the map, and
+// then writes the map according to the guarantee of the method.
 template <class ConcurrencyTag, Guarantee guarantee = Guarantee::ONE_TO_ONE, class TriangleMesh, class VertexSphereMap,
           class NamedParameters, class Method>
 Error_code run_parameterization(const TriangleMesh& tmesh, const VertexSphereMap& vertex_sphere_map,
@@ -160,7 +161,7 @@ Error_code run_parameterization(const TriangleMesh& tmesh, const VertexSphereMap
     return ERROR_WRONG_PARAMETER;
 }
 
-// What the initial parameterizer sees of the caller's visitor and of the time: it may be stopped, and its levels show.
+// The visitor of an initial parameterizer: passes levels and requests to stop on to the control of the whole run.
 class Initial_map_visitor : public Default_visitor
 {
 public:
@@ -175,11 +176,11 @@ private:
   Run_control& m_control;
 };
 
-// What a parameterizer of the package has that can map the surface of a run: that spares the mesh a second reading.
+// Detects parameterizers of the package that can map the surface of a run directly, without reading the mesh again.
 template <class Parameterizer>
 using Embed_result = decltype(std::declval<const Parameterizer&>().embed(std::declval<Run&>(), false));
 
-// Gets the map that a model of `SphericalParameterizer_3` makes, through its public interface, as positions on the unit
+// Computes the map of a model of `SphericalParameterizer_3` through its public interface, as positions on the unit
 // sphere.
 template <class Parameterizer, class Parameterization_run>
 Error_code compute_initial_map(Parameterizer& parameterizer, Parameterization_run& run)
@@ -198,10 +199,10 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Parameterization_ru
     const Error_code error =
         parameterizer.template parameterize<typename Parameterization_run::Concurrency_tag>(run.tmesh, map, np);
     if(error == ERROR_NO_1_TO_1_MAPPING)
-      return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is untouched
+      return ERROR_INVALID_INITIAL_PARAMETERIZATION; // the caller's own map is unchanged
     if(error != OK)
       return error;
-    // The sweeps compute with rounding, so a face that is positive by less than that would not be safe with them.
+    // Rounding errors of the sweeps could invert a face whose orientation is positive by less than these errors.
     const bool is_safe = run.read_map(map) && are_safely_positive(run.surface.rings(), run.positions);
     run.control.report().seconds_for_embedding = run.control.lap();
     return is_safe ? OK : ERROR_INVALID_INITIAL_PARAMETERIZATION;
@@ -210,7 +211,7 @@ Error_code compute_initial_map(Parameterizer& parameterizer, Parameterization_ru
     return ERROR_WRONG_PARAMETER;
 }
 
-// Makes the map that a method starts from, and tells the visitor of it.
+// Computes the initial map of a method and calls the visitor.
 template <class Parameterizer, class Parameterization_run>
 Error_code make_initial_map(Parameterizer& parameterizer, Parameterization_run& run)
 {

@@ -38,15 +38,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What a method promises of its maps: that they are one-to-one, or nothing, in which case a map that folds is written
-// and reported.
+// The guarantee of a method for its maps: they are bijective, or there is none, and a map with inverted faces is
+// written and reported.
 enum class Guarantee
 {
   ONE_TO_ONE,
   NONE
 };
 
-// Whether points, images of the vertices of a mesh, make a bijection of it.
+// Whether the images of the vertices of a mesh define a bijection.
 template <class Point_3>
 bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>& images, const Execution& execution)
 {
@@ -63,8 +63,8 @@ bool are_bijective(const Index_triangles& triangles, const std::vector<Point_3>&
     return certify_bijectivity<Kernel>(images, triangles, execution).is_bijective();
 }
 
-// Whether two points with floating-point coordinates are the same for any compile flags: with -ffast-math, NaN equals
-// all, and what is subnormal equals 0.
+// Whether two points with floating-point coordinates are equal, for any compile flags: with -ffast-math, NaN may equal
+// every number, and subnormal numbers may equal 0.
 template <class Point_3>
 bool have_same_bits(const Point_3& p, const Point_3& q)
 {
@@ -73,9 +73,8 @@ bool have_same_bits(const Point_3& p, const Point_3& q)
   return std::memcmp(a, b, sizeof(a)) == 0;
 }
 
-// Whether the map holds the points that it was given, or others that are a bijection as well, such as numbers of single
-// precision. (Lazy numbers that were made from what is not finite must not be compared, so exact numbers are always
-// certified anew.)
+// Whether the map holds the points that were written, or others that are a bijection as well, for example in single
+// precision. Exact numbers are always certified again, because lazy numbers that are not finite must not be compared.
 template <class VertexDescriptor, class VertexSphereMap, class Point_3>
 bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                              VertexSphereMap map, const std::vector<Point_3>& points, Execution execution)
@@ -90,9 +89,9 @@ bool is_bijective_as_written(const std::vector<VertexDescriptor>& vertices, cons
   return are_bijective(triangles, images, execution);
 }
 
-// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the type that the
-// caller will get them in, and only then writes them. A map
-// that is not one-to-one is written only if nothing else was promised. What can be read is read again.
+// Scales the positions from the unit sphere to the sphere of radius `radius`, certifies the points in the caller's
+// point type, and only then writes them. A map that is not bijective is written only if the method guarantees nothing.
+// A readable map is read and checked again after writing.
 template <class VertexDescriptor, class VertexSphereMap>
 Error_code write_map(const std::vector<VertexDescriptor>& vertices, const Index_triangles& triangles,
                      const std::vector<Vector_3d>& positions, double radius, Guarantee guarantee, VertexSphereMap map,

@@ -23,17 +23,17 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Triangles by the numbers of their vertices.
+// Triangles as triples of vertex indices.
 using Index_triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// A triangle of a closed mesh: the neighbour i is across the edge that is opposite to vertex i.
+// A triangle of a closed mesh: neighbor i is across the edge that is opposite to vertex i.
 struct Linked_triangle
 {
   std::array<std::uint32_t, 3> vertices, neighbors;
 
   std::uint32_t operator[](std::size_t i) const { return vertices[i]; }
 
-  // which corner has this vertex, or is opposite to this neighbour; the last one if none of the others
+  // The corner with this vertex, or opposite to this neighbor; the last one if it is none of the others.
   std::size_t corner_of(std::uint32_t vertex) const { return place_of(vertex, vertices); }
   std::size_t side_of(std::uint32_t triangle) const { return place_of(triangle, neighbors); }
 
@@ -43,17 +43,17 @@ struct Linked_triangle
   }
 };
 
-// Finds the neighbours of the triangles of a closed mesh with n vertices, in linear time: each edge is looked for at its
-// end with fewer triangles, and there are less than three edges for each vertex of a triangulated sphere, in all of its
-// parts as well. Returns nothing unless each edge has two triangles, in opposite directions, and no other edge has both of
-// its ends.
+// Finds the neighbors of the triangles of a closed mesh with n vertices, in linear time: each edge is searched for at
+// its end with fewer triangles, and a triangulated sphere has fewer than three edges per vertex, in all of its parts as
+// well. Returns an empty vector unless each edge has two triangles with opposite directions, and no two edges have the
+// same ends.
 inline std::vector<Linked_triangle> link_triangles(const Index_triangles& triangles, std::size_t n)
 {
   std::vector<std::uint32_t> degrees(n, 0);
   for(const auto& t : triangles)
     for(const std::uint32_t v : t)
       ++degrees[v];
-  // without the branches that comparing pairs would take
+  // Without the branches of a comparison of pairs.
   const auto rank = [&](std::uint32_t v) { return std::uint64_t(degrees[v]) << 32 | v; };
   struct Side
   {
@@ -107,8 +107,8 @@ inline std::vector<Linked_triangle> link_triangles(const Index_triangles& triang
   return result;
 }
 
-// Calls visit(v, w) for each vertex of a closed connected mesh with n vertices, where w is a vertex next to v that has been
-// visited before, and `none` for the first one: so that what is known of w helps with v.
+// Calls visit(v, w) for each vertex v of a closed connected mesh with n vertices, where w is a neighbor of v that has
+// been visited before, and `none` for the first vertex: so results for w can be used for v.
 template <class Visit>
 void visit_from_neighbors(const std::vector<Linked_triangle>& triangles, std::size_t n, std::uint32_t none,
                           const Visit& visit)

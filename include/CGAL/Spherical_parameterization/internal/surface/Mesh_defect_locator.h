@@ -35,8 +35,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Finds where a mesh has the defect that read_mesh() has found, and says so. Nothing here is on the way of a mesh that
-// is in order; read_mesh() alone decides what a defect is. `Defect` is Mesh_defect<TriangleMesh>.
+// Finds the location of a defect that read_mesh() has reported, and describes it. This code does not run for valid
+// meshes; only read_mesh() decides what a defect is. `Defect` is Mesh_defect<TriangleMesh>.
 template <class Defect, class TriangleMesh>
 class Mesh_defect_locator
 {
@@ -74,7 +74,7 @@ public:
     case ERROR_NO_TOPOLOGICAL_SPHERE:
       measure_genus();
       break;
-    default: // the place is the mesh as a whole
+    default: // the defect concerns the mesh as a whole
       m_defect.message = get_error_message(error);
     }
     return m_defect;
@@ -93,7 +93,7 @@ private:
       m_defect.message += "\n(Vertices and faces are counted from 0.)";
   }
 
-  // the place of `element` in `range`
+  // The position of `element` in `range`.
   template <class Range, class Element>
   static std::string number_of(const Range& range, const Element& element)
   {
@@ -108,7 +108,7 @@ private:
            number_of(vertices(m_mesh), m_defect.other_vertex);
   }
 
-  // a hint at how often the same occurs elsewhere
+  // A note on the number of other occurrences.
   std::string in_total(const char* what) const
   {
     return m_defect.count > 1 ? " (" + std::to_string(m_defect.count) + " such " + what + " in total)" : "";
@@ -142,7 +142,7 @@ private:
         continue;
       const bool has_face = !is_border(opposite(h, m_mesh), m_mesh);
       ++(has_face ? m_defect.count : n_halfedges_without_face);
-      // an edge with one face says more than one without any
+      // An edge with one face is more informative than one without any.
       if(m_defect.vertex == Traits::null_vertex() || (has_face && m_defect.face == Traits::null_face()))
       {
         m_defect.vertex = source(h, m_mesh);
@@ -172,7 +172,7 @@ private:
         "Repair the file, or the program that wrote it.");
   }
 
-  // Repeated edges come first: where there is one, the faces at its ends may look like several fans as well.
+  // Repeated edges take precedence: the faces at their ends may look like several fans as well.
   void locate_singularity()
   {
     const auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_mesh);
@@ -180,7 +180,7 @@ private:
     for(const vertex_descriptor v : vertices(m_mesh))
       put(index, v, n++);
     std::vector<std::size_t> last_seen_at(n, n), last_counted_at(n, n);
-    // the fan at a vertex may not reach all of them
+    // Walking around a vertex may not reach all of its halfedges.
     std::vector<std::vector<halfedge_descriptor>> halfedges_at(n);
     for(const halfedge_descriptor h : halfedges(m_mesh))
       halfedges_at[get(index, target(h, m_mesh))].push_back(h);

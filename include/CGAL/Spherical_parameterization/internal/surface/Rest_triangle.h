@@ -26,30 +26,30 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How flat and how small the shape of a face may be that a Rest_triangle asks for. A flatter one would ask for
-// derivatives beyond all measure and freeze its neighbours; it is given the minimum height instead. One without height or
-// size has no shape that it could ask for, and gets one that its neighbours do not suffer from.
+// The limits of flatness and size for the shape of a face in a Rest_triangle. A flatter shape would cause huge
+// derivatives and block its neighbors; it gets the minimum height instead. A face without height or size has no
+// meaningful shape, and gets one that does not affect its neighbors.
 struct Rest_limits
 {
-  double min_height = 1e-4; // over the longest edge, in units of that edge
+  double min_height = 1e-4; // on the longest edge, in units of that edge
   double min_edge = 1e-12;  // the longest one; surfaces are scaled to the area of the unit sphere
 
-  // Whether the surface does not count at all: every face is the same equilateral triangle.
+  // Whether the surface is ignored: every face is the same equilateral triangle.
   bool is_uniform = false;
 
   double height_without_shape = 0.2; // of a face whose height is 0 up to rounding, in units of its longest edge
 };
 
-// The shape of a face on the surface as the energies see it. With the squared lengths l of the edges of the image,
-// I = opposite_0 l_12 + opposite_1 l_20 + opposite_2 l_01 and d = (doubled area of the image) * inverse_doubled_area.
-// With a packed number type, it is that of a face in each lane.
+// The shape of a face on the surface, as used by the energies. With the squared lengths l of the edges of the image, I
+// = opposite_0 l_12 + opposite_1 l_20 + opposite_2 l_01 and d = (doubled area of the image) * inverse_doubled_area.
+// With a packed number type, it is the shape of a face in each lane.
 template <class FT>
 struct Basic_rest_triangle
 {
-  FT opposite_0, opposite_1, opposite_2; // cot(theta_i) / (2 A), A being the area
+  FT opposite_0, opposite_1, opposite_2; // cot(theta_i) / (2 A), where A is the area
   FT inverse_doubled_area;               // 1 / (2 A)
 
-  // the height on the longest edge, in units of that edge
+  // The height on the longest edge, in units of that edge.
   static double height(const Vector_3d& p0, const Vector_3d& p1, const Vector_3d& p2)
   {
     const Vector_3d e0 = p2 - p1, e1 = p0 - p2, e2 = p1 - p0;
@@ -94,7 +94,7 @@ struct Basic_rest_triangle
     return {load(0), load(1), load(2), load(3)};
   }
 
-  // Makes the area `factor` times as large and leaves the angles as they are.
+  // Multiplies the area by `factor` and preserves the angles.
   void scale_area(const FT& factor)
   {
     const FT inverse = 1. / factor;
@@ -119,17 +119,17 @@ private:
     return {cotangent * inverse, cotangent * inverse, cotangent * inverse, inverse};
   }
 
-  // over the longest edge; a face below it has no shape, and measure_distortion() finds no distortion in it
+  // On the longest edge; a face below it has no shape, and measure_distortion() treats it as degenerate.
   static constexpr double min_height_of_shape = 1e-12;
 
-  // The triangle that has the given one's longest edge and foot of the height on it, and the minimum height; or an equilateral
-  // one of the minimum size.
+  // The triangle with the longest edge of the given one, the same foot of the height on it, and the minimum height; or
+  // an equilateral one of the minimum size.
   static Basic_rest_triangle<double> lifted(double l0, double l1, double l2, double doubled_area,
                                             const Rest_limits& limits)
   {
     const std::array<double, 3> squared = {l0, l1, l2};
     const auto base = static_cast<std::size_t>(std::max_element(squared.begin(), squared.end()) - squared.begin());
-    // The base runs from corner 1 to corner 2 of the rotated triangle, its apex is corner 0.
+    // The base is the edge from corner 1 to corner 2 of the rotated triangle; its apex is corner 0.
     const double b2 = squared[base];
     if(b2 < limits.min_edge * limits.min_edge)
       return Basic_rest_triangle<double>::equilateral(limits.min_edge);

@@ -27,7 +27,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// What a method works on: a surface, the images of its vertices, and who may stop it. The types of the caller are not seen here.
+// The data of a method: a surface, the images of its vertices, and the control that may stop it, independent of the
+// caller's types.
 struct Run
 {
   Run(Run_control& control_of_run, const Execution& execution_of_run)

@@ -33,36 +33,35 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Moves points around the origin and scales them to a size of about 1 by a power of two, which is exact; returns its
-// exponent, and `origin`, where it is not null, becomes the point that is the origin now. Products of coordinates neither
-// overflow nor underflow then, so that nothing that works on normalized points has to guard against it.
+// Translates points to the origin and scales them to a size of about 1 by a power of two, which is exact. Returns its
+// exponent; `origin`, if it is not null, receives the original position of the new origin. Products of coordinates of
+// normalized points neither overflow nor underflow, so later computations need not guard against it.
 int normalize(std::vector<Vector_3d>& points, Vector_3d* origin = nullptr);
 
-// A closed triangle mesh of genus 0 as flat arrays: the points, scaled such that the area is 4 pi, and the rings of the
-// vertices.
+// A closed triangle mesh of genus 0 as flat arrays: the points, scaled to the area 4 pi, and the rings of the vertices.
 //
-// The numbering is its own: breadth first from the vertex that is farthest from the centre, around each vertex in
-// counterclockwise order. It follows from the shape of the surface alone, not from its position in space, and not from
-// the order of the caller's vertices unless several are the farthest; and so does everything that is computed from it.
-// Besides, neighbours get close numbers.
+// It has its own vertex order: breadth first from the vertex that is farthest from the center, and around each vertex
+// in counterclockwise order. This order depends only on the shape of the surface, not on its position in space, nor on
+// the order of the caller's vertices unless several are the farthest; the same then holds for all results. In addition,
+// neighbors get indices that are close to each other.
 class Surface
 {
 public:
-  // Takes the mesh with these points, which are finite, and these triangles, none if link_triangles() has failed.
+  // Sets the mesh with these points, which are finite, and these triangles, none if link_triangles() has failed.
   Error_code assign(std::vector<Vector_3d> points, const std::vector<Linked_triangle>& triangles);
 
   std::size_t number_of_vertices() const { return m_points.size(); }
   const std::vector<Vector_3d>& points() const { return m_points; }
   const Vertex_rings& rings() const { return m_rings; }
 
-  // The triangles, in the caller's numbers.
+  // The triangles, with the caller's indices.
   Index_triangles callers_triangles() const;
 
-  // What the vertices have, from the order of the arrays that the surface was taken from to its own, and back.
+  // Converts values of vertices from the order of the caller's arrays to the order of the surface, and back.
   template <class T>
   std::vector<T> in_own_order(const std::vector<T>& callers) const
   {
-    const std::size_t n = callers.size() / m_originals.size(); // of each vertex
+    const std::size_t n = callers.size() / m_originals.size(); // per vertex
     std::vector<T> result;
     result.reserve(callers.size());
     for(const std::size_t v : m_originals)
@@ -81,18 +80,18 @@ public:
 
   std::size_t number_of_flat_faces() const { return m_number_of_flat_faces; }
 
-  // The radius of the sphere that has the area of the surface, in the caller's unit of length: the length that is 1
-  // here. A surface that reaches to the ends of the range of doubles gets the largest sphere that fits.
+  // The radius of the sphere that has the area of the surface, in the caller's unit of length; this length is 1 here.
+  // For a surface at the limits of the range of double, it is the radius of the largest representable sphere.
   double equal_area_radius() const
   {
     return (std::min)(std::ldexp(m_unit, m_exponent), 0.25 * (std::numeric_limits<double>::max)());
   }
 
-  // converts a radius in the caller's unit of length to the one of the mesh
+  // Converts a radius from the caller's unit of length to that of the mesh.
   double scaled_radius(double radius) const { return std::ldexp(radius, -m_exponent) / m_unit; }
 
 private:
-  // Gives the vertices of `rings` and m_points their final numbers. Fails if some cannot be reached from the others.
+  // Assigns final indices to the vertices of `rings` and m_points. Fails if the mesh is not connected.
   bool renumber(const Vertex_rings& rings);
 
   void scale_to_area_of_unit_sphere();
@@ -101,9 +100,9 @@ private:
 
   std::vector<Vector_3d> m_points;
   Vertex_rings m_rings;
-  std::vector<std::uint32_t> m_originals; // the numbers of the vertices in the arrays of the caller
+  std::vector<std::uint32_t> m_originals; // the indices of the vertices in the caller's arrays
   std::size_t m_number_of_flat_faces = 0;
-  double m_unit = 1.; // the length that is 1 here is m_unit * 2^m_exponent in the caller's unit
+  double m_unit = 1.; // the length 1 here is m_unit * 2^m_exponent in the caller's unit
   int m_exponent = 0;
 };
 

@@ -31,15 +31,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The conduction of heat on a surface, in implicit steps: (M + t L) x = M y, with the cotangents of the triangles in L and areas
-// in M. It is solved by the method of conjugate gradients. The cotangents are kept positive and finite, and `min_area` is more
-// than 0 where points coincide, so that the matrix is positive definite.
+// Heat diffusion on a surface, in implicit steps: (M + t L) x = M y, with the cotangents of the triangles in L and
+// areas in M, solved by conjugate gradients. The cotangents are kept positive and finite, and `min_area` is positive if
+// points coincide, so that the matrix is positive definite.
 class Surface_diffusion
 {
 public:
   using Vectors = std::vector<Vector_3d>;
 
-  // The rings have to last as long as this.
+  // The rings must outlive this object.
   Surface_diffusion(const Vertex_rings& rings, const Vectors& points, double min_area, const Execution& execution)
     : m_rings(&rings)
     , m_execution(execution)
@@ -47,8 +47,9 @@ public:
     , m_weights(rings.number_of_corners())
     , m_sums(points.size(), 0.)
   {
-    // The cotangents of 89 and 1 degrees, nearly. A larger minimum has obtuse triangles conduct too much; a smaller one, or a
-    // larger maximum, which needles have, makes the weights more unequal, which takes more steps.
+    // Approximately the cotangents of 89 and 1 degrees. With a larger minimum, obtuse triangles conduct too much. A
+    // smaller minimum, or a larger maximum, which needles would have, makes the weights more unequal and increases the
+    // number of steps.
     constexpr double min_cotangent = 0.02, max_cotangent = 1. / min_cotangent;
     const auto half_cotangent = [&](const Vector_3d& o, const Vector_3d& p, const Vector_3d& q) {
       const Vector_3d a = p - o, b = q - o;
@@ -70,14 +71,14 @@ public:
 
   const Vertex_scalars& areas() const { return m_areas; }
 
-  // What a vertex has in L beside the diagonal, for its j-th neighbor; the sign is the other one.
+  // The negative off-diagonal entry of L of a vertex and its j-th neighbor.
   double weight(std::size_t v, std::size_t j) const { return m_weights[m_rings->offset(v) + j]; }
 
-  // What becomes of values, or points, in the time t, with an error of about `tolerance` of the ways that they go.
+  // The values, or points, after the time t, with an error of about `tolerance` relative to their changes.
   template <class T>
   std::vector<T> after(double t, const std::vector<T>& values, double tolerance) const
   {
-    constexpr std::size_t max_steps = 300; // bounds the time on surfaces of needles
+    constexpr std::size_t max_steps = 300; // limits the time on surfaces with needles
     using Values = std::vector<T>;
     Values x = values, r(x.size());
     for_each_vertex([&](std::size_t v) { r[v] = -t * flow(x, v); }); // M y - (M + t L) y
@@ -102,7 +103,7 @@ public:
     return x;
   }
 
-  // How far points are outside of others, along the normals of the first ones: 0 where there is no normal.
+  // The signed distances of points from others, along the normals at the first ones; 0 where there is no normal.
   Vertex_scalars outside(const Vectors& points, const Vectors& others) const
   {
     Vertex_scalars result(points.size());
@@ -130,7 +131,7 @@ private:
   double sum_over_vertices(const Function& f) const
   {
     Vertex_scalars sums((m_areas.size() + usual_block_size - 1) / usual_block_size,
-                        0.); // in order, whatever the number of threads
+                        0.); // in order, for any number of threads
     for_each_block(m_execution, 0, m_areas.size(), usual_block_size, [&](std::size_t begin, std::size_t end) {
       for(std::size_t v = begin; v < end; ++v)
         sums[begin / usual_block_size] += f(v);
@@ -138,7 +139,7 @@ private:
     return std::accumulate(sums.begin(), sums.end(), 0.);
   }
 
-  // what L makes of values at a vertex
+  // The product of L with values, at a vertex.
   template <class T>
   T flow(const std::vector<T>& values, std::size_t v) const
   {
@@ -153,16 +154,16 @@ private:
   const Vertex_rings* m_rings;
   Execution m_execution;
   Vertex_scalars m_areas;
-  Vertex_scalars m_weights; // of each vertex towards each of its neighbours, and their sums
+  Vertex_scalars m_weights; // of each vertex and each of its neighbors, and their sums
   Vertex_scalars m_sums;
 };
 
-// How far a surface of area 1 is outside of itself smoothed, along the normal, after the time t. For short times, this is t times
-// the sum of the curvatures.
+// The displacement of a surface of area 1 relative to the surface after smoothing for the time t, along the normal. For
+// short times, it is t times the sum of the principal curvatures.
 inline Vertex_scalars mean_curvature(const Vertex_rings& rings, const std::vector<Vector_3d>& points, double t,
                                      double min_area, const Execution& execution = {})
 {
-  constexpr double tolerance = 1e-5; // as maps between surfaces are aligned by it
+  constexpr double tolerance = 1e-5; // required by the alignment of maps between surfaces
   const Surface_diffusion diffusion(rings, points, min_area, execution);
   return diffusion.outside(points, diffusion.after(t, points, tolerance));
 }

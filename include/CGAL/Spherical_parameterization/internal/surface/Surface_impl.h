@@ -53,7 +53,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& poi
   if(extent > 0.)
     std::frexp(extent, &exponent);
   const Vector_3d center = 0.5 * low + 0.5 * high;
-  const int first = -exponent / 2, second = -exponent - first; // as 2^-exponent may overflow itself
+  const int first = -exponent / 2, second = -exponent - first; // 2^-exponent may overflow itself
   const double factor = std::ldexp(1., first), other_factor = std::ldexp(1., second);
   for(Vector_3d& p : points)
     p = other_factor * (factor * (p - center));
@@ -90,8 +90,8 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE Index_triangles Surface::callers_triangle
   return result;
 }
 
-// whether p is farther from the origin o than q by more than rounding can make it; where a shape has ties, the first
-// of the caller's vertices is chosen, wherever the shape is placed
+// Whether p is farther from the origin o than q, by more than rounding errors; for ties, the first of the caller's
+// vertices is chosen, wherever the surface is in space.
 inline bool is_farther(const Vector_3d& p, const Vector_3d& q, const Vector_3d& o)
 {
   return squared_length(p - o) > (1. + 1e-7) * squared_length(q - o);
@@ -150,7 +150,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE void Surface::scale_to_area_of_unit_spher
   m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     area += 0.5 * length(cross(m_points[b] - m_points[a], m_points[c] - m_points[a]));
   });
-  // A surface without area is measured by its extent, which normalize() has made about 1.
+  // A surface without area is measured by its extent, which is about 1 after normalize().
   m_unit = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * CGAL_PI)) : 1.;
   for(Vector_3d& p : m_points)
     p = (1. / m_unit) * p;

@@ -25,8 +25,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The connectivity of a closed triangle mesh: for each vertex its neighbours in counterclockwise order, as compressed
-// sparse rows. The faces of vertex v are (v, ring[j], ring[j + 1]), the last one closing with ring[0].
+// The connectivity of a closed triangle mesh: for each vertex its neighbors in counterclockwise order, as compressed
+// sparse rows. The faces of vertex v are (v, ring[j], ring[j + 1]), where ring[0] follows the last neighbor.
 class Vertex_rings
 {
 public:
@@ -40,7 +40,7 @@ public:
     std::size_t size() const { return static_cast<std::size_t>(last - first); }
     std::uint32_t operator[](std::size_t j) const { return first[j]; }
 
-    // the same around the closed ring, for j below twice its size
+    // The same around the closed ring, for j below twice its size.
     std::uint32_t around(std::size_t j) const { return first[j < size() ? j : j - size()]; }
 
     std::size_t position_of(std::uint32_t v) const
@@ -58,7 +58,7 @@ public:
 
   Ring ring(std::size_t v) const { return {m_neighbors.data() + m_offsets[v], m_neighbors.data() + m_offsets[v + 1]}; }
 
-  // Calls f(v, p, q) for every face once, in a fixed order; v is its smallest vertex.
+  // Calls f(v, p, q) for every face once, in a fixed order; v is its vertex of smallest index.
   template <class Function>
   void for_each_face(Function f) const
   {
@@ -83,8 +83,7 @@ public:
   void push_neighbor(std::uint32_t v) { m_neighbors.push_back(v); }
   void end_ring() { m_offsets.push_back(static_cast<std::uint32_t>(m_neighbors.size())); }
 
-  // Construction in any order: the rings get their room, ring v from offsets[v] to offsets[v + 1] of the corners, and
-  // are written to it.
+  // Construction in any order: the ring of v occupies the corners offsets[v] to offsets[v + 1] and is written to them.
   void assign(std::vector<std::uint32_t> offsets)
   {
     m_offsets = std::move(offsets);
@@ -97,12 +96,12 @@ private:
   std::vector<std::uint32_t> m_neighbors;
 };
 
-// Builds the rings of the n vertices. Fails if a vertex has no triangle or meets another one twice, if its triangles
-// form more than one fan, or if they leave a gap.
+// Creates the rings of the n vertices. Fails if a vertex has no triangle or is adjacent to another one by two edges, if
+// its triangles form more than one fan, or if they leave a gap.
 inline bool build_rings(const std::vector<Linked_triangle>& linked, std::size_t n, Vertex_rings& rings)
 {
   constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-  std::vector<std::uint32_t> first(n, none), degrees(n, 0); // a triangle of each vertex, and how many it has
+  std::vector<std::uint32_t> first(n, none), degrees(n, 0); // a triangle of each vertex, and their number
   for(std::uint32_t t = 0; t < linked.size(); ++t)
     for(const std::uint32_t v : linked[t].vertices)
     {

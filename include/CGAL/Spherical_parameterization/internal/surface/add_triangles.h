@@ -29,9 +29,9 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Adds a closed mesh with n vertices to a mesh, and calls write(vertices, faces) with what has been added, in the order of the
-// triangles and their vertices. The first vertex of a triangle is source(halfedge(f, tmesh), tmesh). If anything is thrown, by
-// write() as well, all that has been added is removed again.
+// Adds a closed mesh with n vertices to a mesh, and calls write(vertices, faces) with the added elements, in the order
+// of the triangles and their vertices. The first vertex of a triangle is source(halfedge(f, tmesh), tmesh). If an
+// exception is thrown, also by write(), all added elements are removed again.
 template <class TriangleMesh, class Write>
 void add_triangles(const std::vector<Linked_triangle>& triangles, std::size_t n, TriangleMesh& tmesh,
                    const Write& write)
@@ -41,7 +41,7 @@ void add_triangles(const std::vector<Linked_triangle>& triangles, std::size_t n,
   std::vector<typename Traits::face_descriptor> faces;
   vertices.reserve(n);
   faces.reserve(triangles.size());
-  // The halfedge i of a triangle is the one that is opposite to its vertex i.
+  // Halfedge i of a triangle is the one opposite to its vertex i.
   std::vector<typename Traits::halfedge_descriptor> halfedges(3 * triangles.size(), Traits::null_halfedge());
   reserve(tmesh, static_cast<typename Traits::vertices_size_type>(num_vertices(tmesh) + n),
           static_cast<typename Traits::edges_size_type>(num_edges(tmesh) + halfedges.size() / 2),

@@ -30,14 +30,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The area of a triangle with these corners, times two.
+// Twice the area of a triangle with these corners.
 inline double doubled_area(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r)
 {
   return length(cross(q - p, r - p));
 }
 
-// Sums up for each vertex what its triangles contribute: of_triangle(a, b, c) to each corner. The triangles are a range, or
-// the rings of a surface.
+// Sums up the contributions of triangles at each vertex: of_triangle(a, b, c) is added to each corner. The triangles
+// are a range, or the rings of a surface.
 template <class Triangles, class Function>
 std::vector<double> vertex_sums(const Triangles& triangles, std::size_t n_vertices, const Function& of_triangle)
 {
@@ -55,7 +55,7 @@ std::vector<double> vertex_sums(const Triangles& triangles, std::size_t n_vertic
   return sums;
 }
 
-// returns for each vertex a third of the area of its triangles
+// A third of the area of its triangles, for each vertex.
 template <class Triangles>
 std::vector<double> vertex_areas(const Triangles& triangles, const std::vector<Vector_3d>& points)
 {
@@ -64,7 +64,7 @@ std::vector<double> vertex_areas(const Triangles& triangles, const std::vector<V
   });
 }
 
-// the same to weigh the vertices with, so that they have a centre of mass even if the surface has no area
+// The same as weights of the vertices, so that there is a center of mass even if the surface has no area.
 inline std::vector<double> vertex_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
 {
   std::vector<double> masses = vertex_areas(rings, points);
@@ -73,14 +73,14 @@ inline std::vector<double> vertex_masses(const Vertex_rings& rings, const std::v
   return masses;
 }
 
-// The same with a density that follows curvature, and with the same sum. Where samples lie h apart, a surface of
-// curvature k is missed by about k h^2, so that the mean of its square is lowest where they are as dense as k^(2/3). The
-// curvature is that of the edges: their angle over the width of the surface that is theirs. A face that is split without
-// a bend has the same.
+// The same with a density that grows with the curvature, and with the same sum. If samples are at a distance h, the
+// error at curvature k is about k h^2, and its mean square is minimal if the samples are as dense as k^(2/3). The
+// curvature is measured at the edges: their dihedral angle divided by the width of the surface at the edge. It does not
+// change if a face is subdivided without bending.
 inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std::vector<Vector_3d>& points)
 {
-  constexpr double flat = 0.05;      // of the mean square of the curvature, for flat places: they get samples as well
-  constexpr double max_ratio = 100.; // of a squared edge and the area that is its own, so that needles do not get all
+  constexpr double flat = 0.05;      // of the mean squared curvature, for flat regions: they need samples as well
+  constexpr double max_ratio = 100.; // of a squared edge to its area, so that needles do not get all samples
   std::vector<double> masses = vertex_areas(rings, points), squares(masses.size(), 0.); // integrals of k^2
   for(std::uint32_t v = 0; v < rings.number_of_vertices(); ++v)
   {
@@ -93,7 +93,7 @@ inline std::vector<double> curvature_masses(const Vertex_rings& rings, const std
       const double l = length(left), r = length(right);
       if(!(l > 0. && r > 0.))
         continue;
-      // the angle squared, nearly, times the squared edge over a third of the area of its faces
+      // Approximately the squared angle, times the squared edge divided by a third of the area of its faces.
       squares[v] += squared_length((1. / l) * left - (1. / r) * right) *
                     (std::min)(6. * squared_length(edge) / (l + r), max_ratio);
     }
@@ -125,12 +125,12 @@ inline Vector_3d center_of_mass(const std::vector<Vector_3d>& points, const std:
   return (1. / mass) * sum;
 }
 
-// How much more area the vertices of a coarse mesh stand for than they have: 1 where nothing has been lost. A vertex
-// whose faces have no area is left alone, as their rest shapes are not their own.
+// The ratio of the area that the vertices of a coarse mesh represent to the area that they have; 1 if no area has been
+// lost. It is 1 for a vertex whose faces have no area, because their rest shapes are replaced.
 inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                             const std::vector<double>& areas)
 {
-  constexpr double max_density = 1e6; // times its own area, as of an extremity whose faces are gone; more is rounding
+  constexpr double max_density = 1e6; // for an extremity whose faces are gone; more is due to rounding
   std::vector<double> densities = vertex_areas(rings, points);
   for(std::size_t v = 0; v < densities.size(); ++v)
   {
@@ -140,12 +140,12 @@ inline std::vector<double> vertex_densities(const Vertex_rings& rings, const std
   return densities;
 }
 
-// The minimum weight of an edge where all have to be positive: an edge opposite to two right angles has 0.
-constexpr double min_positive_weight = 0.01; // little beside the 0.58 of equilateral faces
+// The minimum weight of an edge if all weights must be positive: an edge opposite to two right angles has 0.
+constexpr double min_positive_weight = 0.01; // small compared to the 0.58 of equilateral faces
 
-// The cotangent weight of every edge, half the sum of the cotangents of the two angles opposite to it, in the order of
-// the corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`. The two
-// copies of a weight are equal bit by bit.
+// The cotangent weight of every edge, half the sum of the cotangents of the two opposite angles, in the order of the
+// corners of `rings`: that of the edge (v, ring[j]) at rings.offset(v) + j. No weight is below `min_weight`. Both
+// copies of a weight are bitwise equal.
 inline std::vector<double> cotangent_weights(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
                                              double min_weight)
 {

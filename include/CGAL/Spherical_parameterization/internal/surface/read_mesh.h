@@ -39,8 +39,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A caller's mesh as flat arrays: its vertices but for those without a face, and its faces as triples of their numbers, both
-// in the order of the mesh. What its vertices have, the functions below read.
+// A caller's mesh as flat arrays: its vertices, without isolated ones, and its faces as triples of vertex indices, both
+// in the order of the mesh. The functions below read values of the vertices.
 template <class TriangleMesh>
 struct Mesh_arrays
 {
@@ -48,10 +48,10 @@ struct Mesh_arrays
   Index_triangles triangles;
   std::size_t number_of_isolated_vertices = 0;
 
-  // Reads a mesh of triangles, which may have a border if that is said.
+  // Reads a mesh of triangles. A border is accepted only on request.
   Error_code read(const TriangleMesh& tmesh, bool may_have_border = false)
   {
-    // Corners are counted in 32 bits, with padding between the stars; see Star_packets.
+    // Corners are counted by 32-bit indices, with padding between the stars; see Star_packets.
     if(num_halfedges(tmesh) >= (std::numeric_limits<std::uint32_t>::max)() / 2)
       return ERROR_TOO_LARGE_MESH;
     for(const auto f : faces(tmesh))
@@ -85,7 +85,7 @@ struct Mesh_arrays
   }
 };
 
-// What vertices have, as f(value) makes it from the values of a property map.
+// Values of vertices, computed as f(value) from the values of a property map.
 template <class Vertices, class Map, class Function>
 auto read_values(const Vertices& vertices, const Map& map, const Function& f)
 {
@@ -96,7 +96,7 @@ auto read_values(const Vertices& vertices, const Map& map, const Function& f)
   return result;
 }
 
-// The same of points, rounded.
+// The same for points, rounded.
 template <class Vertices, class VertexPointMap>
 std::vector<Vector_3d> read_points(const Vertices& vertices, const VertexPointMap& vpm)
 {
@@ -108,8 +108,8 @@ inline bool are_finite(const std::vector<Vector_3d>& points)
   return std::all_of(points.begin(), points.end(), [](const Vector_3d& p) { return is_finite(p); });
 }
 
-// The property map of the points of a mesh: the named parameter `vertex_point_map`, or else what the mesh has, which can be
-// written if the mesh can.
+// The property map of the points of a mesh: the named parameter `vertex_point_map`, or else the internal map of the
+// mesh, which is writable if the mesh is.
 template <class TriangleMesh, class NamedParameters>
 auto vertex_point_map_of(TriangleMesh& tmesh, const NamedParameters& np)
 {
@@ -120,7 +120,7 @@ auto vertex_point_map_of(TriangleMesh& tmesh, const NamedParameters& np)
     return parameters::choose_parameter(given, get_property_map(vertex_point, tmesh));
 }
 
-// Reads a mesh and its points as the surface that a method works on.
+// Reads a mesh and its points as the surface for a method.
 template <class TriangleMesh, class VertexPointMap>
 Error_code read_surface(const TriangleMesh& tmesh, const VertexPointMap& vpm, Mesh_arrays<TriangleMesh>& arrays,
                         Surface& surface)

@@ -32,10 +32,10 @@ namespace CGAL::Spherical_parameterization::internal {
 // A value for each vertex.
 using Vertex_scalars = std::vector<double>;
 
-// The vertices of a surface where it does not count; empty if it does everywhere.
+// Marks the vertices of a surface that are ignored; empty if there are none.
 using Mask = std::vector<char>;
 
-// The areas that count.
+// The areas, set to 0 at the ignored vertices.
 inline Vertex_scalars areas_outside(const Mask& mask, Vertex_scalars areas)
 {
   for(std::size_t v = 0; v < mask.size(); ++v)
@@ -44,8 +44,8 @@ inline Vertex_scalars areas_outside(const Mask& mask, Vertex_scalars areas)
   return areas;
 }
 
-// The ranks of values on a surface, from -1 to 1, such that neither outliers nor scales matter: vertices count by their areas.
-// Equal values have the same rank, the middle of theirs.
+// The ranks of values on a surface, from -1 to 1, which are robust to outliers and independent of scale: vertices are
+// weighted by their areas. Equal values get the same rank, their mean rank.
 inline Vertex_scalars ranks_by_area(const Vertex_scalars& values, const Vertex_scalars& areas)
 {
   const std::size_t n = values.size();
@@ -69,11 +69,11 @@ inline Vertex_scalars ranks_by_area(const Vertex_scalars& values, const Vertex_s
   return ranks;
 }
 
-// The values of a feature of two surfaces, less the mean over both and in units in which they spread as ranks do.
+// Subtracts the common mean from the values of a feature of two surfaces, and scales them to the variance of ranks.
 inline void standardize(std::array<Vertex_scalars*, 2> values, const std::array<Vertex_scalars, 2>& areas)
 {
-  // Both surfaces count the same. The largest value is taken out first, so that no square is beyond doubles; not one that
-  // stands for none where a surface does not count.
+  // Both surfaces have the same weight. The values are divided by the largest one, so that no square overflows; values
+  // at ignored vertices do not count.
   double largest = 0., mean = 0., variance = 0.;
   for(std::size_t k = 0; k < 2; ++k)
     for(std::size_t v = 0; v < areas[k].size(); ++v)
@@ -99,15 +99,15 @@ inline void standardize(std::array<Vertex_scalars*, 2> values, const std::array<
     mean = mean_of([](double x) { return x; });
     variance = mean_of([&](double x) { return (x - mean) * (x - mean); });
   }
-  constexpr double least = 1e-24; // what rounding makes of a constant is the same everywhere
-  const double scale = variance > least ? 1. / std::sqrt(3. * variance) : 0.; // of ranks, the variance is a third
+  constexpr double least = 1e-24; // the effect of rounding on a constant is identical on all machines
+  const double scale = variance > least ? 1. / std::sqrt(3. * variance) : 0.; // the variance of ranks is a third
   for(Vertex_scalars* channel : values)
     for(double& x : *channel)
       x = scale > 0. ? scale * (x / largest - mean) : 0.;
 }
 
-// Continues values over the vertices where the surface does not count: front by front, each has the mean of its neighbors that
-// have one. So nothing there draws or repels what comes near.
+// Extends values to the ignored vertices: front by front, each gets the mean of its neighbors with known values. So
+// these vertices neither attract nor repel images nearby.
 inline void continue_over(const Mask& mask, const Vertex_rings& rings, Vertex_scalars& values)
 {
   if(mask.empty())

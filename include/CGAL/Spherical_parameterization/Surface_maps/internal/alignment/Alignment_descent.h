@@ -24,35 +24,35 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A correspondence of two coarse surfaces, and of their spheres.
+// A correspondence of two coarse surfaces and of their spheres.
 struct Alignment
 {
   Rotation_matrix rotation = rotation_matrix({1., 0., 0., 0.});
-  std::vector<Vector_3d> directions;      // of the vertices of the first coarse surface; none if these are but rotated
-  std::vector<Vector_3d> before_matching; // the same, before match_functions()
+  std::vector<Vector_3d> directions;      // of the vertices of the first coarse surface; empty if they are only rotated
+  std::vector<Vector_3d> before_matching; // the directions before match_functions()
   double agreement = 0.;                  // the correlation of the features
-  double score = 0.;                      // the same, less how much the map stretches, and how far it is from landmarks
-  double missed = 0.;                     // how far that is, in units of the mean distance
+  double score = 0.;                      // the weighted agreement minus the stretching and the distance from landmarks
+  double missed = 0.;                     // the distance from landmarks, in units of the mean distance
 };
 
-// A start during its descent.
+// A start, and its state during the descent.
 struct Alignment_start
 {
   Alignment alignment;
   Coarse_pair::Guides guides;
-  std::vector<Vector_3d> images;             // of the first surface, rotated
-  std::unique_ptr<Mesh_hierarchy> hierarchy; // the levels that are left, down from the one that it has come to
-  bool is_valid = true;                      // Doubles hold it.
+  std::vector<Vector_3d> images;             // the rotated images of the first surface
+  std::unique_ptr<Mesh_hierarchy> hierarchy; // the remaining levels, from the current one to the finest
+  bool is_valid = true;                      // false if double precision does not suffice
 };
 
-// The descent of one start on the coarse surfaces, and the score of its end. The energy of a map between surfaces is led by
-// features of great weight, among them the distances from extremities that may correspond, which no pose changes and which show
-// from afar where to go. Then it is led by the features of the surfaces alone, with their weight in the end, and what may be chosen
-// by eigenfunctions as well.
+// The descent of a start on the coarse surfaces, and the score of the result. First, the energy of the map between the surfaces is
+// combined with features of large weight, including distances from extremities that may correspond: these do not depend on the
+// pose, and guide vertices over large distances. Then it is combined with the features of the surfaces alone, with their final
+// weight. The candidates for the choice are also guided by eigenfunctions.
 class Alignment_descent
 {
 public:
-  // Both have to last as long as this.
+  // Both arguments must outlive this object.
   Alignment_descent(const Coarse_pair& surfaces, const Target_metric& metric)
     : m_surfaces(surfaces)
     , m_metric(metric)
@@ -61,8 +61,8 @@ public:
   // The levels of the first surface, the same for all starts.
   Mesh_hierarchy levels() const
   {
-    // From 60 vertices on, whole extremities move; from 30 on the surfaces have lost too much, from 120 on they are not led far
-    // enough.
+    // From 60 vertices on, whole extremities move. With 30, the surfaces have lost too much detail; with 120, vertices are not
+    // guided over large enough distances.
     constexpr std::size_t min_size = 60;
     const Surface_descriptor& surface = m_surfaces.first();
     Run_control control;
@@ -81,7 +81,7 @@ public:
     return result;
   }
 
-  // Lowers a map with its features and guides, first on the coarse levels alone, by which most starts can be left.
+  // Minimizes the energy with features and guides, first on the coarse levels only, after which most starts are discarded.
   void lead(bool is_first, Alignment_start& start) const
   {
     constexpr std::size_t first_size = 700;
@@ -91,30 +91,29 @@ public:
           start.hierarchy->level(last_level).vertices.size() > first_size)
       ++last_level;
     const Feature_goals features = m_surfaces.goals(start.guides);
-    start.is_valid = start.is_valid && lower_on_levels(*start.hierarchy, m_surfaces.points(), start.images,
-                                                       {m_metric, features, leading_weight}, m_sweeps,
-                                                       start.alignment.directions, control, Execution(), last_level);
+    start.is_valid = start.is_valid && minimize_on_levels(*start.hierarchy, m_surfaces.points(), start.images,
+                                                          {m_metric, features, leading_weight}, m_sweeps,
+                                                          start.alignment.directions, control, Execution(), last_level);
     assess(start);
   }
 
-  // Lowers a map by the energy and the features alone.
+  // Minimizes the energy with the features alone.
   void settle(double feature_weight, Alignment_start& start) const
   {
     start.is_valid = start.is_valid && lower({}, feature_weight, m_sweeps, start.alignment.directions, Execution());
     assess(start);
   }
 
-  // Lowers a map further, led by eigenfunctions of both surfaces: they show how far along an extremity or around a body a
-  // vertex is, where the energy and features are much the same. Those of higher frequencies correspond once the lower ones do, so
-  // there are more of them from round to round (Melzi et al., ZoomOut: Spectral Upsampling for Efficient Shape Correspondence,
-  // 2019).
+  // Refines a map with the guidance of eigenfunctions of both surfaces. They distinguish positions along an extremity or around a
+  // body where the energy and features are nearly constant. Higher frequencies correspond once lower ones do, so their number
+  // increases from round to round (Melzi et al., ZoomOut: Spectral Upsampling for Efficient Shape Correspondence, 2019).
   void match_functions(Alignment& alignment) const
   {
-    constexpr Target_sweeps sweeps = {20, 1e-3, 0.04}; // with less than half as many, poses are matched worse
+    constexpr Target_sweeps sweeps = {20, 1e-3, 0.04}; // with less than half as many, poses are matched less accurately
     alignment.before_matching = alignment.directions;
     std::vector<std::uint32_t> vertices(alignment.directions.size());
     std::iota(vertices.begin(), vertices.end(), 0u);
-    // Of more, the highest are of the coarse triangles rather than of the surfaces.
+    // With more functions, the highest ones depend on the coarse triangles instead of the surfaces.
     const std::size_t max_functions = (std::min)(m_surfaces.first().size(), m_surfaces.second().size()) / 15;
     for(const std::size_t n_functions : std::initializer_list<std::size_t>{10, 32, 55, 77, 100})
       if(n_functions <= max_functions)
@@ -127,19 +126,19 @@ private:
   bool lower(Coarse_pair::Guides guides, double weight, const Target_sweeps& sweeps, std::vector<Vector_3d>& directions,
              const Execution& execution) const
   {
-    constexpr std::size_t min_size = 500; // the coarsest level once the large parts correspond
+    constexpr std::size_t min_size = 500; // the coarsest level, which suffices once large parts correspond
     Run_control control;
     const Feature_goals features = m_surfaces.goals(std::move(guides));
-    return lower_on_target(m_surfaces.first().rings(), m_surfaces.points(), {m_metric, features, weight}, min_size,
-                           sweeps, directions, control, execution);
+    return minimize_on_target(m_surfaces.first().rings(), m_surfaces.points(), {m_metric, features, weight}, min_size,
+                              sweeps, directions, control, execution);
   }
 
-  // Finds the score of a map on the level that it has come to.
+  // Computes the score of a map on its current level.
   void assess(Alignment_start& start) const
   {
     const std::size_t k = start.hierarchy->number_of_levels() - 1;
     const Mesh_hierarchy::Level& level = start.hierarchy->level(k);
-    // From a quarter to a half, the same starts are chosen.
+    // With values from 1/4 to 1/2, the same starts are chosen.
     constexpr double weight_of_stretching = 1. / 3.;
     const std::vector<Vector_3d>& directions = start.alignment.directions;
     start.alignment.agreement = feature_agreement(m_surfaces.feature_goals(), level, directions);
@@ -150,7 +149,7 @@ private:
         start.alignment.missed;
   }
 
-  // How far a map of these vertices is from the landmarks.
+  // The mean distance of a map of these vertices from the landmarks.
   double distance_from_landmarks(const std::vector<std::uint32_t>& vertices,
                                  const std::vector<Vector_3d>& directions) const
   {
@@ -161,9 +160,10 @@ private:
     });
   }
 
-  // With a weight of 40, extremities stay where they are on the first surface; more than 160 crushes what is between them.
+  // With 40, extremities stay at their positions on the first surface; above 160, the regions between them are compressed too much.
   static constexpr double leading_weight = 80.;
-  // Fewer than by default, as finer levels follow; but with a settled part of 0.04, scores are less exact, and more maps are half-turns.
+  // Fewer sweeps than by default, because finer levels follow; with a settled part of 0.04, scores are less accurate, and more maps
+  // are half-turns.
   static constexpr Target_sweeps m_sweeps = {20, 1e-3, 0.02};
 
   const Coarse_pair& m_surfaces;

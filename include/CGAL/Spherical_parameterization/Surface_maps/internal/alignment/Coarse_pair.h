@@ -21,8 +21,8 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 // Two coarse surfaces that are compared, and the goals of maps from the first one to the sphere of the second one: features,
-// landmarks, and distances along the surfaces. The control is asked between parts of the work, and all is valid whenever it
-// ends that.
+// landmarks, and distances along the surfaces. The control is called between parts of the work. All data are valid if it stops the
+// run at any of these points.
 class Coarse_pair
 {
 public:
@@ -42,7 +42,7 @@ public:
     m_features = goals({});
   }
 
-  // Takes pairs of directions that correspond, by which the best alignment is chosen, and all starts are led.
+  // Sets pairs of corresponding directions, which contribute to the choice of the best alignment, and guide all starts.
   void set_landmarks(const std::vector<std::pair<Vector_3d, Vector_3d>>& landmarks)
   {
     if(landmarks.empty())
@@ -64,10 +64,10 @@ public:
   const Surface_descriptor& first() const { return m_surfaces[0]; }
   const Surface_descriptor& second() const { return m_surfaces[1]; }
 
-  // The points of the first surface, scaled to the area 4 pi.
+  // The points of the first surface, scaled to area 4 pi.
   const std::vector<Vector_3d>& points() const { return m_points; }
 
-  // The goals by the features alone.
+  // The goals given by the features alone.
   const Feature_goals& feature_goals() const { return m_features; }
 
   // Images of the features of both surfaces that are compared on finer levels as well.
@@ -79,7 +79,7 @@ public:
             image(at_most(n, second().features()))};
   }
 
-  // The best rotations, the best one first; at least one.
+  // The best rotations in the order of decreasing score; at least one.
   std::vector<Scored_rotation> best_rotations(std::size_t n) const
   {
     return Rotation_search(first(), *m_features.image, m_execution).best(n, m_control);
@@ -93,7 +93,7 @@ public:
     return result;
   }
 
-  // The distances from extremities that correspond, and from landmarks, which lead a descent along with the features.
+  // The distances from corresponding extremities and from landmarks, which guide a descent along with the features.
   Guides distance_guides(const std::array<Extremities, 2>& extremities,
                          const std::vector<std::array<std::uint32_t, 2>>& pairs) const
   {
@@ -105,15 +105,15 @@ public:
     return result;
   }
 
-  // Gets ready for eigenfunction_guides().
+  // Computes the data for eigenfunction_guides().
   void find_spectra()
   {
     in_parallel(2, [&](std::size_t k) { m_surfaces[k].find_spectrum(); });
   }
 
-  // The first n eigenfunctions of the first surface, and the sums of those of the second surface that are nearest to them by a map: an
-  // isometry would carry these to each other, and where surfaces differ too much for a function, the sum is nearly 0 and leads
-  // nowhere (Ovsjanikov et al., Functional maps, 2012).
+  // The first n eigenfunctions of the first surface, and the closest combinations of those of the second surface under a map. An
+  // isometry maps them to each other. Where surfaces differ too much for a function, the combination is nearly 0 and gives no
+  // guidance (Ovsjanikov et al., Functional maps, 2012).
   Guides eigenfunction_guides(const std::vector<Vector_3d>& directions, std::size_t n) const
   {
     constexpr double weight = 16.; // with 8 or 30, the mean error is the same
@@ -142,7 +142,7 @@ public:
     return result;
   }
 
-  // How far a map is from the landmarks, in the mean, in units of the mean of all distances; 0 without any.
+  // The mean distance of a map from the landmarks, in units of the mean of all distances; 0 without landmarks.
   template <class Function>
   double distance_from_landmarks(const Function& image_of) const
   {
@@ -156,7 +156,7 @@ public:
     return m_landmarks.empty() ? 0. : sum / static_cast<double>(m_landmarks.size());
   }
 
-  // The goals by the features, and by others beside them.
+  // The goals given by the features and by additional ones.
   Feature_goals goals(Guides guides) const
   {
     for(std::size_t surface = 0; surface < 2; ++surface)
@@ -192,7 +192,7 @@ private:
     return Sphere_image(m_nodes, second().sphere().triangles(), channels);
   }
 
-  // The first n channels; fewer if a run is stopped before all are known, or a surface is small.
+  // The first n channels; fewer if a run is stopped before all are computed, or if a surface is small.
   static std::vector<Vertex_scalars> at_most(std::size_t n, std::vector<Vertex_scalars> channels)
   {
     channels.resize((std::min)(n, channels.size()));
@@ -206,14 +206,14 @@ private:
     return values;
   }
 
-  // Beside ranks from -1 to 1, of distances that have the mean 1. With 2 or 6, people are aligned worse.
+  // Relative to ranks from -1 to 1, for distances with mean 1. With 2 or 6, people are aligned less accurately.
   static constexpr double weight_of_leading_distances = 4.;
 
   std::array<Surface_descriptor, 2> m_surfaces;
   std::vector<Vector_3d> m_points;
   Run_control& m_control;
   Execution m_execution;
-  Sphere_image::Locations m_nodes; // of images, on the second sphere
+  Sphere_image::Locations m_nodes; // the nodes of images, on the second sphere
   Feature_goals m_features;
   std::vector<Vector_3d> m_landmarks; // on the first sphere
   Guides m_landmark_guides;

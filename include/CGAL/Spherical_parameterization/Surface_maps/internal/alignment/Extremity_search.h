@@ -20,15 +20,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Extremities of two surfaces that may correspond, by their numbers, and the rotation that brings their tips together.
+// Extremities of two surfaces that may correspond, given by their indices, and the rotation that aligns their tips.
 struct Extremity_matching : Scored_rotation
 {
   std::vector<std::array<std::uint32_t, 2>> pairs;
 };
 
-// Searches for extremities of two surfaces that may correspond: no pose changes the distances of their tips along the surface.
-// Distances do not distinguish left from right, but then the tips are on the spheres as in a mirror, and no rotation brings
-// them together.
+// Searches for extremities of two surfaces that may correspond, by the distances of their tips along the surface, which do not
+// depend on the pose. Distances do not distinguish left from right. However, with left and right exchanged, the tips on the spheres
+// are mirror images, and no rotation aligns them.
 class Extremity_search
 {
 public:
@@ -37,8 +37,8 @@ public:
   Extremity_search(Extremities first, Extremities second)
     : m_extremities{std::move(first), std::move(second)}
   {
-    // The farthest ones come first. Seven are those of most animals; there are 130,922 ways to match them, with eight ten times
-    // as many.
+    // The extremities with the largest average distance come first. Most animals have seven. There are 130,922 matchings of seven,
+    // and ten times as many of eight.
     constexpr std::size_t max_extremities = 7;
     for(Extremities& extremities : m_extremities)
       extremities.resize((std::min)(extremities.size(), max_extremities));
@@ -46,13 +46,13 @@ public:
     m_is_taken.resize(m_extremities[1].size(), 0);
   }
 
-  // The best matchings whose rotations are at least 30 degrees apart, the best one first; perhaps none.
+  // The best matchings whose rotations are at least 30 degrees apart, in the order of decreasing score; possibly none.
   std::vector<Extremity_matching> best(std::size_t n, const std::vector<Vector_3d>& directions1,
                                        const std::vector<Vector_3d>& directions2)
   {
-    // Those that are nearer to each other end at the same map.
+    // Closer rotations lead to the same map.
     constexpr double min_angle = CGAL_PI / 6.;
-    // For which rotations are fitted, a microsecond each. The right ones were among the first 100.
+    // The number of matchings for which rotations are fitted, a microsecond each. The correct ones were among the first 100.
     constexpr std::size_t max_fitted = 2000;
     m_found.clear();
     extend(0, 0., 0);
@@ -81,10 +81,11 @@ public:
 private:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  // How well a pair of extremities goes with another one, at most 1: how nearly their distances are the same.
+  // The compatibility of two pairs of extremities, at most 1: the similarity of their distances.
   double gain(std::size_t i, std::size_t j, std::size_t k, std::size_t l) const
   {
-    // Of the mean of both. Between the hands of a slim person and a stout one it is 0.27; with more, a hand passes for a head.
+    // Relative to the mean of both. It is 0.27 between the hands of a slim person and a stout one; with a larger value, a hand can
+    // be matched with a head.
     constexpr double max_difference = 0.35;
     const double x = m_extremities[0][i].distances[m_extremities[0][k].vertex],
                  y = m_extremities[1][j].distances[m_extremities[1][l].vertex];
@@ -92,10 +93,10 @@ private:
     return 1. - difference * difference;
   }
 
-  // Finds a partner for extremity i of the first surface, or leaves it without, in all ways that are possible.
+  // Enumerates all possible partners of extremity i of the first surface, including none.
   void extend(std::uint32_t i, double score, std::size_t n_pairs)
   {
-    constexpr std::size_t min_pairs = 3; // two determine a rotation, but have one distance, which says nothing
+    constexpr std::size_t min_pairs = 3; // two determine a rotation, but their only distance is not significant
     if(i == m_extremities[0].size())
     {
       if(n_pairs < min_pairs)
@@ -129,7 +130,7 @@ private:
   }
 
   std::array<Extremities, 2> m_extremities;
-  std::vector<std::uint32_t> m_partners; // of the extremities of the first surface
+  std::vector<std::uint32_t> m_partners; // the partners of the extremities of the first surface
   std::vector<char> m_is_taken;
   std::vector<Extremity_matching> m_found;
 };

@@ -25,14 +25,14 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A rotation of the first sphere, and how well the surfaces agree by it, the more the better.
+// A rotation of the first sphere and its score; higher is better.
 struct Scored_rotation
 {
   Rotation_matrix rotation;
   double score;
 };
 
-// At most n rotations that are at least this angle apart, the best one first.
+// At most n rotations that are at least this angle apart, in the order of decreasing score.
 template <class Rotation>
 std::vector<Rotation> select_rotations(std::vector<Rotation> found, std::size_t n, double min_angle)
 {
@@ -47,7 +47,7 @@ std::vector<Rotation> select_rotations(std::vector<Rotation> found, std::size_t 
   return result;
 }
 
-// Searches all rotations: those of a grid, and around the best of them.
+// Searches all rotations: those of a grid, followed by local refinement of the best ones.
 class Rotation_search
 {
 public:
@@ -56,20 +56,19 @@ public:
     : m_b(second)
     , m_row(Sphere_image::row_size(first.features().size()))
     , m_execution(execution)
-    // Along an edge of the icosahedron: 492 directions that are 9 degrees apart, as far as the rotations that are tried, and
-    // 4002 that are 3 degrees apart. Fewer take less time, but leave more to chance.
+    // The numbers of parts of an edge of the icosahedron: 492 directions that are 9 degrees apart, like the rotations of the grid,
+    // and 4002 directions that are 3 degrees apart. Fewer directions take less time, but make the result less reliable.
     , m_few(first, 7, execution)
     , m_all(first, 20, execution)
   {}
 
-  // The best rotations that are at least 20 degrees apart, the best one first. Once the control has said no, they are the
-  // best of those that have been tried, or the identity.
+  // The best rotations that are at least 20 degrees apart, in the order of decreasing score. If the control stops the search, the
+  // best rotations that have been tried, or the identity.
   std::vector<Scored_rotation> best(std::size_t n, Run_control& control) const
   {
-    // Refinements of the same peak end less than this apart; two poses of a body differ by more.
+    // Refinements of the same local maximum end closer together; two poses of a body differ by more.
     constexpr double min_angle = CGAL_PI / 9.;
-    constexpr std::size_t batch_size =
-        4; // between two questions to the control: for four threads, and some milliseconds
+    constexpr std::size_t batch_size = 4; // between two calls of the control: for four threads, a few milliseconds
     std::vector<Scored_rotation> found = local_maxima(control);
     for(std::size_t k = 0; k < found.size() && control.go_further(0, 0.); k += batch_size)
       for_each_block(m_execution, k, (std::min)(k + batch_size, found.size()), 1,
@@ -78,12 +77,12 @@ public:
   }
 
 private:
-  // The super-Fibonacci spirals of Alexa cover all rotations evenly: these, to about 10 degrees.
+  // Alexa's super-Fibonacci spirals cover all rotations evenly: here to about 10 degrees.
   static std::vector<Quaternion> rotations_of_grid()
   {
-    constexpr std::size_t n = 12000; // The spacing goes with the cube root: half of it takes eight times as many.
+    constexpr std::size_t n = 12000; // Halving the spacing requires eight times as many.
     constexpr double phi = 1.41421356237309504880,
-                     psi = 1.533751168755204288118; // phi^2 = 2, psi^4 = psi + 4: as Alexa has it
+                     psi = 1.533751168755204288118; // phi^2 = 2, psi^4 = psi + 4, from Alexa's paper
     std::vector<Quaternion> result;
     for(std::size_t i = 0; i < n; ++i)
     {
@@ -94,18 +93,18 @@ private:
     return result;
   }
 
-  // The rotations of the grid that are better than all around: the flank of the highest peak is higher than most other
-  // peaks. The best one comes first.
+  // The local maxima of the score on the grid, because rotations near the highest maximum score higher than most other maxima. The
+  // best one comes first.
   std::vector<Scored_rotation> local_maxima(Run_control& control) const
   {
     constexpr std::size_t batch_size = 2000,
-                          block_size = 100; // between two questions, some milliseconds; and for a thread
-    // Within which a maximum is one, a bit more than the grid's spacing. If it is less, rotations on the same flank are found
-    // instead of other peaks; if it is more, peaks near a higher one are lost.
+                          block_size = 100; // between two calls of the control, a few milliseconds; and per thread
+    // The neighborhood of a local maximum, slightly larger than the spacing of the grid. With a smaller radius, rotations near the
+    // same maximum are found instead of other maxima; with a larger one, maxima near a higher one are lost.
     constexpr double max_radius = CGAL_PI / 12.;
-    // A peak of the grid may be lower than the real one, and the best of those that are found be none but that: more of them
-    // take more time to refine. Those below the best quarter are not looked at, as the time grows with the square.
-    constexpr std::size_t n_looked_at = 3000, n_found = 16;
+    // The score of a maximum on the grid may be lower than the score after refinement, so several maxima are refined, at the cost of
+    // time. Rotations below the best quarter are ignored, because the time grows with the square of their number.
+    constexpr std::size_t n_examined = 3000, n_found = 16;
     const std::vector<Quaternion> starts = rotations_of_grid();
     std::vector<double> scores;
     while(scores.size() < starts.size() && control.go_further(0, 0.))
@@ -124,7 +123,7 @@ private:
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return scores[i] > scores[j]; });
     const double min_cosine = cosine(0.5 * max_radius);
     std::vector<Scored_rotation> found;
-    for(std::size_t i = 0; i < (std::min)(n_looked_at, order.size()) && found.size() < n_found; ++i)
+    for(std::size_t i = 0; i < (std::min)(n_examined, order.size()) && found.size() < n_found; ++i)
     {
       const Quaternion& q = starts[order[i]];
       const bool is_maximum =
@@ -138,7 +137,7 @@ private:
     return found;
   }
 
-  // The features of the first surface in directions that cover the sphere evenly, where it counts.
+  // The features of the first surface in directions that cover the sphere evenly, except excluded regions.
   struct Samples
   {
     Samples(const Surface_descriptor& surface, std::uint32_t n_steps, const Execution& execution)
@@ -160,18 +159,18 @@ private:
           values.resize(size * Sphere_image::row_size(surface.features().size()), 0.);
         }
       for(std::vector<double>& coordinates : directions)
-        coordinates.resize(size + max_lanes, 1.); // As many are loaded at once.
+        coordinates.resize(size + max_lanes, 1.); // This many coordinates are loaded at once.
     }
 
     std::size_t size = 0;
-    std::array<std::vector<double>, 3> directions; // by coordinates
-    std::vector<double> values;                    // in rows of the image
-    double squares = 0.;                           // their sum
+    std::array<std::vector<double>, 3> directions; // one array per coordinate
+    std::vector<double> values;                    // in rows as in the image
+    double squares = 0.;                           // the sum of their squares
   };
 
   double score(const Rotation_matrix& r, const Samples& samples) const
   {
-    using Sums = Four_lanes; // one would wait for each addition
+    using Sums = Four_lanes; // a single sum would wait for each addition
     Sums ab = 0., bb = 0.;
     run_in_lanes<max_lanes>([&](auto number_type) {
       using FT = typename decltype(number_type)::FT;
@@ -199,11 +198,12 @@ private:
     return correlation(sum(ab), samples.squares, sum(bb));
   }
 
-  // Climbs by turns about three axes, of angles that become smaller; the last ones with all directions.
+  // Hill climbing by rotations about three axes with decreasing angles; the last steps use all directions.
   Scored_rotation refined(const Rotation_matrix& start) const
   {
-    // In radians. The first one is most of the grid's spacing, 10 degrees: a larger one leaves the peak. Below few_angle, turns
-    // are finer than a few directions can resolve. The last one that is tried is 0.2 degrees, a tenth of the spacing of the images.
+    // In radians. The first angle is a large part of the spacing of the grid, 10 degrees: larger steps leave the neighborhood of the
+    // maximum. Below few_angle, steps are smaller than the resolution of the few directions. The last angle that is tried is 0.2
+    // degrees, a tenth of the spacing of the images.
     constexpr double first_angle = 0.12, few_angle = 0.02, last_angle = 0.002;
     Scored_rotation result = {start, 0.};
     const Samples* samples = nullptr;
@@ -239,16 +239,16 @@ private:
   Samples m_few, m_all;
 };
 
-// The rotation that brings each vertex nearest to one of the second sphere, in a few rounds from a rotation that is nearly
-// so. For copies of a sphere it is exact but for rounding.
+// The rotation that minimizes the distances between vertices and the closest vertices of the second sphere, computed in a few rounds
+// from a rotation that is nearly correct. For copies of a sphere, it is exact up to rounding error.
 inline Rotation_matrix closest_point_rotation(Rotation_matrix rotation, const Sphere_mesh& sphere1,
                                               const Sphere_mesh& sphere2, Run_control& control,
                                               const Execution& execution)
 {
-  // One is enough where vertices are farther apart than the rotation is off; of dense copies, more meet in each further one.
+  // One round suffices if vertices are farther apart than the error of the rotation; for dense copies, further rounds match more
+  // vertices.
   constexpr int n_rounds = 8;
-  constexpr std::size_t block_size =
-      4096; // that is located until the control is asked: exact signs take long on copies
+  constexpr std::size_t block_size = 4096; // located between two calls of the control: exact signs take long on copies
   for(int round = 0; round < n_rounds; ++round)
   {
     const auto points = points_of(rotated_directions(rotation, directions_of(sphere1)));

@@ -44,8 +44,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How far points of a surface are from each other along it, which changes little when it is bent: the lengths of shortest paths
-// along edges and across pairs of triangles, within 4 percent on regular triangles.
+// Geodesic distances on a surface, which change little under bending: the lengths of shortest paths along edges and across pairs of
+// triangles, accurate to 4 percent on regular triangles.
 class Surface_paths
 {
 public:
@@ -68,11 +68,11 @@ public:
         }
   }
 
-  using Joint = std::pair<double, std::uint32_t>; // how far it is to a vertex
+  using Joint = std::pair<double, std::uint32_t>; // the distance to a vertex, and the vertex
 
   Vertex_scalars distances_from(std::uint32_t source) const { return distances_from(std::vector<Joint>{{0., source}}); }
 
-  // From a point that is this far from these vertices.
+  // The distances from a point with the given distances to these vertices.
   Vertex_scalars distances_from(const std::vector<Joint>& corners) const
   {
     Vertex_scalars result(m_joints.size(), (std::numeric_limits<double>::max)());
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  // from c to d over the edge from a to b
+  // The distance from c to d across the edge from a to b.
   static double length_across(const Vector_3d& a, const Vector_3d& b, const Vector_3d& c, const Vector_3d& d)
   {
     const double edge = length(b - a);
@@ -113,21 +113,21 @@ private:
                                 : (std::min)(length(c - a) + length(d - a), length(c - b) + length(d - b));
   }
 
-  std::vector<std::vector<Joint>> m_joints; // of each vertex, with its neighbours and those across from them
+  std::vector<std::vector<Joint>> m_joints; // the neighbors of each vertex, and the vertices opposite to them
 };
 
-// A surface as it is compared with another one: the coarsest level of a hierarchy, scaled to area 1, whose vertices are
-// spread over the surface, and not over its sphere, on which extremities are small. All that is computed here changes little
-// when the surface is bent, and not at all when it is moved.
+// The representation of a surface for comparison: the coarsest level of a hierarchy, scaled to area 1. Its vertices are distributed
+// over the surface instead of its sphere, on which extremities are small. All computed quantities change little when the surface is
+// bent, and are invariant under rigid motions.
 class Surface_descriptor
 {
 public:
-  // All surfaces that are larger are compared in the same time. More vertices make alignments better, but each start takes
-  // longer, in proportion.
+  // Larger surfaces are simplified to this size, and compared in the same time. More vertices improve alignments, but the time of
+  // each start grows in proportion.
   static constexpr std::size_t max_size = 2000;
 
-  // The hierarchy is that of the mesh with its images on the unit sphere; these, a caller's own features, of which vertices
-  // get the means of what is around them, or none, and the mask are in the order of the mesh.
+  // The hierarchy is that of the mesh with its images on the unit sphere. Images, features of the caller, if any, and the mask are in
+  // the order of the mesh. Vertices of the coarsest level receive local averages of the features.
   Surface_descriptor(const Mesh_hierarchy& hierarchy, const Surface& mesh, const std::vector<Vector_3d>& images,
                      const std::vector<Vertex_scalars>& features, const Mask& mask)
     : m_rings(hierarchy.rings(hierarchy.number_of_levels() - 1))
@@ -163,26 +163,25 @@ public:
   const std::vector<Vector_3d>& points() const { return m_points; }
   const Vertex_scalars& areas() const { return m_areas; }
 
-  // Whether the surface counts around a vertex.
+  // Whether the surroundings of a vertex are included.
   bool counts(std::size_t v) const { return m_mask.empty() || !m_mask[v]; }
   const Mask& mask() const { return m_mask; }
   const std::vector<Vector_3d>& directions() const { return m_directions; }
 
-  // Whether its images are a bijection as doubles, which all that looks at the sphere takes for granted.
+  // Whether the images are bijective in double precision, which all functions that use the sphere require.
   bool is_bijective() const { return m_is_bijective; }
   const Sphere_mesh& sphere() const { return m_sphere; }
 
-  // The features, those of the package as ranks.
+  // The features; those of the package are ranks.
   const std::vector<Vertex_scalars>& features() const { return m_features; }
 
-  // How much they count in the choice among maps; all the same if it is empty.
+  // The weights of the features in the choice among maps; all equal if empty.
   const std::vector<double>& weights_in_choice() const { return m_weights_in_choice; }
 
-  // Adds one of the features of the package: how much the map to the sphere shrinks; how far away the rest of the surface is,
-  // on average; how much the surface is curved, inwards or outwards, at two scales, which differs between front and back
-  // where the other features would allow for a half turn; and the wave kernel signature, which distinguishes parts that distances
-  // do not. The first ones, up to `number_of_kept_features`, are compared on finer levels as well; with the signature there, poses
-  // are matched worse.
+  // Adds one of the features of the package: the ratio of areas on the surface and on the sphere; the average distance from the rest
+  // of the surface; the signed mean curvature at two scales, which distinguishes front from back where the other features allow for a
+  // half-turn; and the wave kernel signature, which distinguishes parts that distances do not distinguish. The first
+  // `number_of_kept_features` are compared on finer levels as well; with the signature there, poses are matched less accurately.
   static constexpr int number_of_own_features = 5;
   static constexpr std::size_t number_of_kept_features = 4;
   void add_own_feature(int k)
@@ -192,11 +191,11 @@ public:
       add_wave_kernel_signature();
       return;
     }
-    // The time of heat that goes 0.045, where the vertices are 0.024 apart, and twice as far. With less time, the
-    // curvature is that of the sampling; with more, that of the whole body, and small features are lost.
+    // The times of heat diffusion over 0.045, where the distance of vertices is 0.024, and over twice this length. With less time, the
+    // curvature depends on the sampling; with more, it is that of the whole body, and small features are lost.
     constexpr double fine = 0.002, coarse = 0.008;
-    // It distinguishes front from back as nothing else does. As a goal of the descent, or in the search of rotations, it is to count no
-    // more than the others: its features are small, and the maps are led to the nearest of them.
+    // The fine curvature distinguishes front from back better than all other features. In the descent and in the search for rotations,
+    // its weight must not exceed that of the other features: its structures are small, and maps are attracted to the nearest ones.
     constexpr double weight_of_fine_curvature = 3.;
     add_ranks(k == 0   ? area_ratios()
               : k == 1 ? average_distance()
@@ -204,18 +203,18 @@ public:
     m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
   }
 
-  // A vertex, and the distances from it along the surface, in units of the mean of all distances.
+  // A vertex, and the distances from it along the surface, divided by the mean of all distances.
   struct Origin
   {
     std::uint32_t vertex;
     Vertex_scalars distances;
   };
 
-  // The tips of extremities: where the average distance is largest all around, and above the mean.
+  // The tips of extremities: local maxima of the average distance above its mean.
   std::vector<Origin> extremities()
   {
-    // Between two tips, in units of the mean distance, which is about a half of the root of the area. With a smaller one, a
-    // blunt tip counts twice; with a larger one, an extremity beside a longer one goes without a tip.
+    // Between two tips, in units of the mean distance, which is about half of the square root of the area. With a smaller value, a
+    // blunt tip is counted twice; with a larger one, an extremity next to a longer one is missed.
     constexpr double min_distance = 0.45;
     const Vertex_scalars& average = average_distance();
     std::vector<std::uint32_t> tips;
@@ -237,10 +236,10 @@ public:
     return result;
   }
 
-  // Gets ready for the functions below, unless extremities() has.
+  // Computes the data for the functions below, if extremities() has not been called.
   void measure_distances() { static_cast<void>(average_distance()); }
 
-  // The distances from where the sphere has a direction, in the same units.
+  // The distances from the surface point in a direction of the sphere, in the same units.
   Vertex_scalars distances_from(const Vector_3d& direction) const
   {
     Sphere_mesh::Hint hint;
@@ -254,7 +253,7 @@ public:
     return result;
   }
 
-  // Gets ready for spectrum(), unless the wave kernel signature has been added.
+  // Computes the data for spectrum(), unless the wave kernel signature has been added.
   void find_spectrum()
   {
     if(!m_spectrum)
@@ -263,12 +262,11 @@ public:
   const Surface_spectrum& spectrum() const { return *m_spectrum; }
 
 private:
-  // Far below the mean, 1 / 2000, and still more than 0 where points coincide, see mean_curvature(). Smaller areas have the same
-  // rank.
+  // Far below the mean, 1 / 2000, but larger than 0 where points coincide, see mean_curvature(). Smaller areas have the same rank.
   static constexpr double min_area = 1e-12;
 
-  // The means of the values around the vertices that are left: those of a vertex that has been removed have gone to its
-  // neighbours, as its area has.
+  // The means of the values around the remaining vertices: the value of a removed vertex is distributed to its neighbors, like its
+  // area.
   static Vertex_scalars gathered(const Mesh_hierarchy& hierarchy, const Vertex_scalars& values)
   {
     const std::size_t n_levels = hierarchy.number_of_levels();
@@ -301,13 +299,13 @@ private:
     continue_over(m_mask, m_rings, m_features.back());
   }
 
-  // Beside the other features, a half: with as much weight as these have, poses are turned more often, with a third, a gorilla and
-  // a person agree worse. In the choice, they count as much as others.
+  // Its weight is half of that of the other features in the alignment. With equal weight, poses are rotated by a half-turn more often;
+  // with a third, a gorilla and a person agree less. In the choice among maps, it has the same weight as the other features.
   void add_wave_kernel_signature()
   {
     constexpr int n = 8;
     constexpr double weight = 0.5;
-    // Logarithms of 8 and 400: the lowest eigenvalue of a body with extremities is some 6, the sixtieth some 700.
+    // The logarithms of 8 and 400: the lowest eigenvalue of a body with extremities is about 6, the sixtieth about 700.
     constexpr double lowest = 2.0794415416798357, highest = 5.9914645471079817, width = 0.22 * (highest - lowest);
     find_spectrum();
     for(int k = 0; k < n; ++k)
@@ -336,14 +334,14 @@ private:
     return result;
   }
 
-  // The average distance of each vertex from the whole surface, in units of its mean: from sources that are spread over it,
-  // each as far as possible from those before. Computed once.
+  // The average distance of each vertex from the whole surface, divided by its mean. It is computed once, from sources that are
+  // distributed by farthest point sampling.
   const Vertex_scalars& average_distance()
   {
     if(!m_average_distance.empty())
       return m_average_distance;
-    // Each stands for 1 / 48 of the area, a disc of the radius 0.08, below which the average is not exact. More of them take
-    // more time, in proportion.
+    // Each source represents 1 / 48 of the area, a disk of radius 0.08, which limits the accuracy of the average. The time is
+    // proportional to the number of sources.
     constexpr std::size_t n_sources = 48;
     auto source = static_cast<std::uint32_t>(std::max_element(m_areas.begin(), m_areas.end()) - m_areas.begin());
     std::vector<std::size_t> nearest(size(), 0);
@@ -380,8 +378,8 @@ private:
   Sphere_mesh m_sphere;
   bool m_is_bijective = false;
   std::vector<Vector_3d> m_directions, m_points;
-  Vertex_scalars m_areas; // around the vertices
-  Mask m_mask;            // empty if all of it counts
+  Vertex_scalars m_areas; // the areas of the vertices
+  Mask m_mask;            // empty if no vertex is excluded
   std::vector<Vertex_scalars> m_features;
   std::vector<double> m_weights_in_choice;
   Surface_paths m_paths;

@@ -35,12 +35,12 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The lowest eigenvalues and eigenfunctions, except the constant one, of the Laplacian of a small surface of area 1: L x = lambda M x, with
-// cotangents of triangles in L and areas in M. They change little when the surface is bent.
+// The lowest eigenvalues and eigenfunctions, except the constant one, of the Laplacian of a small surface of area 1: L x = lambda M x,
+// with cotangents in L and areas in M. They change little when the surface is bent.
 //
-// They are found by Lanczos' method with the inverse of L + M, whose vectors are made orthogonal to all before, in a fixed order of
-// summation, so that the bits are the same on every machine. Of several functions with the same eigenvalue, as symmetric surfaces
-// have, it may find only one. If there is no factorization, there are no functions.
+// They are computed by Lanczos' method with the inverse of L + M and full orthogonalization, in a fixed order of summation, so that
+// results are bitwise identical on all machines. Of several functions with the same eigenvalue, as on symmetric surfaces, possibly
+// only one is found. If the factorization fails, there are no functions.
 class Surface_spectrum
 {
 public:
@@ -56,10 +56,10 @@ public:
   std::size_t number_of_functions() const { return m_values.size(); }
   double value(std::size_t k) const { return m_values[k]; }
 
-  // The functions, the mean of whose squares is 1.
+  // The functions, normalized to mean square 1.
   const std::vector<Vertex_scalars>& functions() const { return m_functions; }
 
-  // The wave kernel signature at the logarithm of an eigenvalue: the mean square of functions with eigenvalues near to that
+  // The wave kernel signature at the logarithm of an eigenvalue: the mean square of the functions with eigenvalues near it
   // (Aubry, Schlickewei and Cremers, The Wave Kernel Signature, 2011).
   Vertex_scalars wave_kernel_signature(double energy, double width) const
   {
@@ -80,7 +80,7 @@ public:
 private:
   using Vector = std::vector<double>;
 
-  // An order of elimination that leaves few entries: a vertex with the fewest neighbors is the next one.
+  // An elimination order with little fill-in: a vertex with the fewest neighbors is eliminated next.
   static std::vector<std::uint32_t> elimination_order(const Vertex_rings& rings, std::size_t n)
   {
     std::vector<std::vector<std::uint32_t>> neighbors(n);
@@ -113,7 +113,7 @@ private:
     return order;
   }
 
-  // Factorizes L + M; returns false if that cannot be done.
+  // Factorizes L + M; returns false on failure.
   bool factorize(const Vertex_rings& rings, const Surface_diffusion& diffusion)
   {
     const std::size_t n = m_roots.size();
@@ -150,7 +150,7 @@ private:
     return m_factorization->factorize(matrix, [] { return true; });
   }
 
-  // Applies the inverse of M^-1/2 L M^-1/2 + 1, which has the same functions but for the factor M^1/2.
+  // Applies the inverse of M^-1/2 L M^-1/2 + 1, which has the same eigenfunctions up to the factor M^1/2.
   Vector inverse(const Vector& x) const
   {
     Vector y(x.size());
@@ -163,7 +163,7 @@ private:
     return result;
   }
 
-  // Four sums, as one after the other would wait for each addition.
+  // Four sums, because a single sum would wait for each addition.
   static double product(const Vector& a, const Vector& b)
   {
     std::array<double, 4> sums = {0., 0., 0., 0.};
@@ -178,13 +178,13 @@ private:
 
   void iterate()
   {
-    // Beyond half of the steps, the functions are not exact yet.
+    // The functions beyond half of the number of steps are not accurate yet.
     constexpr std::size_t max_functions = 100, max_steps = 210;
-    constexpr double least_length = 1e-13; // of a vector that is new
+    constexpr double least_length = 1e-13; // of a vector that is linearly independent of the basis
     const std::size_t n = m_roots.size(), n_steps = (std::min)(max_steps, n - 1);
     std::vector<Vector> basis = {m_roots}; // the constant function is known
     scale(basis[0], 1. / std::sqrt(product(m_roots, m_roots)));
-    const auto orthogonalize = [&](Vector& x) { // returns the length that is left
+    const auto orthogonalize = [&](Vector& x) { // returns the remaining length
       for(int twice = 0; twice < 2; ++twice)
         for(const Vector& b : basis)
           add(x, -product(b, x), b);
@@ -213,7 +213,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return diagonal[i] > diagonal[j]; });
-    const bool is_complete = m < max_steps; // The vectors span all that there is.
+    const bool is_complete = m < max_steps; // The vectors span the whole space.
     order.resize((std::min)(max_functions, is_complete ? m : m / 2));
     for(const std::size_t i : order)
     {
@@ -222,7 +222,8 @@ private:
         add(x, vectors[i][j], basis[j + 1]);
       for(std::size_t v = 0; v < n; ++v)
         x[v] /= m_roots[v];
-      constexpr double least_value = 1e-3; // of a surface with long extremities, 1; less is rounding
+      // It is about 1 for a surface with long extremities; smaller values are rounding errors.
+      constexpr double least_value = 1e-3;
       m_values.push_back((std::max)(1. / diagonal[i] - 1., least_value));
       m_functions.push_back(std::move(x));
     }
@@ -239,8 +240,8 @@ private:
       x[k] += factor * y[k];
   }
 
-  // Turns the diagonal of a symmetric tridiagonal matrix into its eigenvalues, by implicit QL steps (Golub and Van Loan, Matrix
-  // Computations, section 8.3), and returns the eigenvectors. Entry k of `e` is beside the entries k and k + 1 of the diagonal.
+  // Replaces the diagonal of a symmetric tridiagonal matrix by its eigenvalues, by implicit QL steps (Golub and Van Loan, Matrix
+  // Computations, section 8.3), and returns the eigenvectors. Entry k of `e` couples the entries k and k + 1 of the diagonal.
   static std::vector<Vector> diagonalize(Vector& d, Vector e)
   {
     constexpr int max_steps = 60; // for each eigenvalue; two or three are usual
@@ -257,7 +258,8 @@ private:
           ++m;
         if(m == l)
           break;
-        // A rotation for each pair of rows from m down to l, which moves an entry off the three diagonals upwards and out.
+        // A rotation for each pair of rows from m down to l, which chases the entry outside of the three diagonals upwards until it
+        // vanishes.
         const double half = (d[l + 1] - d[l]) / (2. * e[l]), root = std::sqrt(half * half + 1.);
         double g = d[m] - d[l] + e[l] / (half + (half >= 0. ? root : -root)), s = 1., c = 1., p = 0.;
         bool falls_apart = false;
@@ -294,8 +296,8 @@ private:
     return z;
   }
 
-  Vector m_roots;                     // of the areas
-  std::vector<std::uint32_t> m_order; // in which vertices are eliminated
+  Vector m_roots;                     // the square roots of the areas
+  std::vector<std::uint32_t> m_order; // the elimination order of the vertices
   std::optional<Sparse_factorization> m_factorization;
   Vector m_values;
   std::vector<Vertex_scalars> m_functions;

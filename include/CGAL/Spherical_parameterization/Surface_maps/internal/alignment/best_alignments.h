@@ -19,14 +19,13 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// Candidates are proposed, and chosen among on coarse surfaces. Spheres of poses of a body differ by more than a rotation: a map of low
-// distortion may let an extremity lean to one side or to the other. So many starts are taken through the descent, and the outcome
-// decides.
+// Proposes candidates, and chooses among them on coarse surfaces. The spheres of poses of a body differ by more than a rotation: a map
+// of low distortion may displace an extremity to either side. Therefore, many starts are refined, and the results are compared.
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Calls f(0) to f(n - 1), as many in parallel as a batch has. The control is asked before each batch; returns how many calls it has
-// waited for.
+// Calls f(0) to f(n - 1), in parallel within each batch. The control is called before each batch. Returns the number of completed
+// calls.
 template <class Function>
 std::size_t run_in_batches(const Coarse_pair& surfaces, std::size_t n, std::size_t batch_size, const Function& f)
 {
@@ -40,17 +39,17 @@ std::size_t run_in_batches(const Coarse_pair& surfaces, std::size_t n, std::size
   return n_done;
 }
 
-// Calls f for all starts; those that the control does not wait for are removed.
+// Calls f for all starts; removes those that are not processed because the control has stopped the run.
 template <class Function>
 void for_each_start(const Coarse_pair& surfaces, std::vector<Alignment_start>& starts, const Function& f)
 {
-  constexpr std::size_t batch_size = 4; // a fifth of a second
+  constexpr std::size_t batch_size = 4; // a fifth of a second per batch
   const std::size_t n_done = run_in_batches(surfaces, starts.size(), batch_size, [&](std::size_t k) { f(starts[k]); });
   starts.erase(starts.begin() + static_cast<std::ptrdiff_t>(n_done), starts.end());
 }
 
-// Keeps the starts that doubles hold and that differ from better ones by this angle in the mean over the level that all have come to;
-// the best one comes first.
+// Keeps the valid starts that differ from all better ones by at least this mean angle over their common level. The best one comes
+// first.
 inline void keep_best(double min_angle, std::vector<Alignment_start>& starts)
 {
   starts.erase(
@@ -79,19 +78,19 @@ inline void keep_best(double min_angle, std::vector<Alignment_start>& starts)
   starts.swap(result);
 }
 
-// The best maps of the first coarse surface to the sphere of the second surface, which has this metric, the best one first; at
-// least one. They differ from each other, by 20 degrees or more in the mean. They are rotations, without directions, if surfaces are
-// copies or the run is stopped. The weight is that of the features of a caller in the end; those of the package have less then.
+// The best maps of the first coarse surface to the sphere of the second surface with this metric, in the order of decreasing score; at
+// least one. They differ by 20 degrees or more in the mean. They are rotations, without directions, if the surfaces are copies or the
+// run is stopped. `feature_weight` is the final weight of features of the caller; features of the package have a smaller final weight.
 inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Target_metric& metric, double feature_weight,
                                               const Sphere_mesh& sphere1, const Sphere_mesh& sphere2)
 {
-  // Different alignments are farther apart, in the mean. Before the end of the descent, it is not clear which of two near ones
-  // is better, unless they are the same.
+  // Different alignments are farther apart in the mean. Before the end of the descent, the better one of two similar starts is not yet
+  // known, so only nearly identical ones are merged.
   constexpr double min_angle = CGAL_PI / 9., min_angle_at_first = CGAL_PI / 36.;
-  // How far the score of a start may be below the best one after the first levels. With 0.08, a right one is lost now and then;
-  // with 0.2, the same ones win, in 1.1 times the time.
+  // The largest difference of a score from the best one after the first levels. With 0.08, correct starts are occasionally lost; with
+  // 0.2, the same ones win, in 1.1 times the time.
   constexpr double max_lag = 0.12;
-  constexpr std::size_t n_carried_on = 8; // with fewer, a right one is lost now and then
+  constexpr std::size_t n_kept = 8; // with fewer, a correct start is occasionally lost
   const Rotation_candidates rotations = propose_rotations(surfaces, sphere1, sphere2);
   if(rotations.are_of_same_shape || !surfaces.goes_on())
     return rotations.alignments;
@@ -99,7 +98,7 @@ inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Targe
   std::vector<Alignment_start> starts = propose_starts(surfaces, rotations.alignments, descent);
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
   keep_best(min_angle_at_first, starts);
-  while(starts.size() > n_carried_on ||
+  while(starts.size() > n_kept ||
         (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag))
     starts.pop_back();
   for_each_start(surfaces, starts, [&](Alignment_start& start) {

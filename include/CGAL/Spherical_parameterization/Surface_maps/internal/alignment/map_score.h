@@ -21,18 +21,17 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// How good a map between surfaces is, on a level of the first one.
+// The quality of a map between surfaces, on a level of the first one.
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How well features agree: the correlation of values whose mean is 0, by the sums of their products.
+// The agreement of features: the correlation of values with mean 0, given the sums of their products.
 inline double correlation(double ab, double aa, double bb)
 {
   return aa > 0. && bb > 0. ? ab / std::sqrt(aa * bb) : 0.;
 }
 
-// The correlation over the first surface between its features and those of the corresponding points, each with a weight if
-// there are any.
+// The correlation over the first surface between its features and those of the corresponding points. Features may have weights.
 inline double feature_agreement(const Feature_goals& features, const Mesh_hierarchy::Level& level,
                                 const std::vector<Vector_3d>& directions, const std::vector<double>& weights = {})
 {
@@ -56,9 +55,9 @@ inline double feature_agreement(const Feature_goals& features, const Mesh_hierar
   return correlation(ab, aa, bb);
 }
 
-// The mean over the first surface of the root of the logarithm of half the symmetric Dirichlet energy, 0 for an isometry. The root
-// grows in proportion to how far a face is from one; the mean of the energy itself is that of its worst faces. The points are
-// those of a surface of area 4 pi.
+// The mean over the first surface of the square root of the logarithm of half the symmetric Dirichlet energy, 0 for an isometry. The
+// root is proportional to the deviation of a face from an isometry; the mean of the energy itself is dominated by its worst faces. The
+// points belong to a surface of area 4 pi.
 inline double stretching(const Target_metric& metric, const Mesh_hierarchy::Level& level, const Vertex_rings& rings,
                          const std::vector<Vector_3d>& points, const std::vector<Vector_3d>& directions)
 {

@@ -21,20 +21,21 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The rotations by which features agree best.
+// The rotations for which features agree best.
 struct Rotation_candidates
 {
-  std::vector<Alignment> alignments; // the best one first; at least one
-  bool are_of_same_shape = false;    // the surfaces are copies, and the best rotation is that of one to the other
+  std::vector<Alignment> alignments; // in the order of decreasing score; at least one
+  bool are_of_same_shape = false;    // The surfaces are copies, and the best rotation maps one to the other.
 };
 
 inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const Sphere_mesh& sphere1,
                                              const Sphere_mesh& sphere2)
 {
-  // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body less. With a larger one, copies go
-  // through the descent and end 1.3 degrees off, where the rotation is 0.2 off; with a smaller one, poses are but rotated.
+  // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body a smaller one. With a larger
+  // threshold, copies go through the descent and end with an error of 1.3 degrees, while that of the rotation is 0.2; with a smaller
+  // one, poses are only rotated.
   constexpr double min_score_of_same_shape = 0.97;
-  constexpr std::size_t n_rotations = 8; // with fewer, a right one is lost now and then
+  constexpr std::size_t n_rotations = 8; // with fewer, a correct one is occasionally lost
   Rotation_candidates result;
   std::vector<Alignment>& alignments = result.alignments;
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
@@ -51,7 +52,7 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   return result;
 }
 
-// The starts of descents: these rotations, and others that bring extremities together which may correspond.
+// The starts of descents: these rotations, and rotations that align extremities which may correspond.
 inline std::vector<Alignment_start> propose_starts(Coarse_pair& surfaces, const std::vector<Alignment>& rotations,
                                                    const Alignment_descent& descent)
 {

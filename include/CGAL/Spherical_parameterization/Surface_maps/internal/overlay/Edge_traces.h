@@ -27,8 +27,8 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// A side of a triangle is numbered 3 t + i if it is opposite to vertex i of triangle t, from vertex i + 1 to vertex
-// i + 2. An edge has the number of its side in the triangle with the smaller number.
+// The index of a side of triangle t is 3 t + i if it is opposite to vertex i of the triangle, from vertex i + 1 to vertex i + 2. The index
+// of an edge is that of its side in the triangle with the smaller index.
 class Triangle_sides
 {
 public:
@@ -57,17 +57,17 @@ private:
   const std::vector<Linked_triangle>& m_triangles;
 };
 
-// For each edge of a triangulation, by its number, the edges of the other one that it crosses, in order, and the
-// triangles that it runs through, one more.
+// For each edge of a triangulation, in the order of indices, the edges of the other one that it crosses, in order, and the triangles that
+// it passes through, one more.
 struct Edge_traces
 {
-  std::vector<std::size_t> ends; // of the crossed edges; those of the triangles are larger by the number of the edges
+  std::vector<std::size_t> ends; // of the crossed edges; the ends of the triangles of edge k are larger by k + 1
   std::vector<std::size_t> crossed;
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> edges; // that there are, in order
+  std::vector<std::uint32_t> edges; // the indices of all edges, in increasing order
 };
 
-// Asks the control once in so many calls, some milliseconds of work.
+// Calls the control once in a fixed number of calls, every few milliseconds.
 class Patience
 {
 public:
@@ -86,8 +86,8 @@ private:
   std::size_t m_n_calls = 0;
 };
 
-// The triangles of `in` that contain the vertices of `of`, each found by a walk from that of a neighbor; none for a vertex
-// that is in none, or once the control has ended it.
+// The triangles of `in` that contain the vertices of `of`, each found by a walk from the triangle of a neighbor; none for a vertex that
+// is in no triangle, or if the control has stopped the run.
 template <class Side>
 std::vector<std::uint32_t> locate_vertices(const Sphere_mesh& of, const Sphere_mesh& in, const Side& side,
                                            Run_control& control)
@@ -101,9 +101,9 @@ std::vector<std::uint32_t> locate_vertices(const Sphere_mesh& of, const Sphere_m
   return result;
 }
 
-// An edge enters a triangle from one with which it shares a side, and leaves it by the side whose source is on its right
-// and whose target is on its left: which one, the side of one vertex decides. Crossings are counted while they are found, so
-// that no more are stored than there may be. `located` are the triangles that contain the vertices.
+// An edge enters a triangle from an adjacent one, and leaves it through the side whose source is on its right and whose target is on its
+// left: the orientation of one vertex determines this side. Crossings are counted while they are found, so that no more are stored than
+// the bound allows. `located` are the triangles that contain the vertices.
 template <class Side>
 Error_code trace_edges(const Sphere_mesh& of, const Sphere_mesh& in, const std::vector<std::uint32_t>& located,
                        const Side& side, std::size_t max_vertices, Edge_traces& result, Run_control& control,
@@ -118,7 +118,7 @@ Error_code trace_edges(const Sphere_mesh& of, const Sphere_mesh& in, const std::
     return ERROR_TOO_LARGE_OVERLAY;
   const std::size_t max_crossings = max_vertices - n_vertices;
   std::atomic<std::size_t> n_crossings{0};
-  constexpr std::size_t block_size = 256; // edges, of which those of hubs may have thousands of crossings each
+  constexpr std::size_t block_size = 256; // edges; at vertices of high degree, each may have thousands of crossings
   const Triangle_sides edges(of.triangles()), sides(in.triangles());
   for(std::size_t e = 0; e < edges.size(); ++e)
     if(edges.is_edge(e))
@@ -156,7 +156,7 @@ Error_code trace_edges(const Sphere_mesh& of, const Sphere_mesh& in, const std::
         const std::size_t entry = sides.opposite(s);
         current = static_cast<std::uint32_t>(entry / 3);
         block.triangles.push_back(current);
-        // The next side starts on the right and ends at the apex, the one after it ends on the left.
+        // The next side starts on the right and ends at the apex; the one after it ends on the left.
         exit = (entry % 3 + (is_left(in.triangles()[current][entry % 3]) ? 1 : 2)) % 3;
       }
       block.counts.push_back(block.crossed.size() - old_size);

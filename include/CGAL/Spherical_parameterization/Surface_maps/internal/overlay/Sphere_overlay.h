@@ -24,46 +24,46 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The common refinement of two triangulations of the sphere, exact but for ties, which are broken as if the points of the
-// first one were perturbed; see Perturbed_orientation. The vertices are those of the first triangulation, those of the
-// second one, and the crossings of their edges, in the order along the edges of the first.
+// The common refinement of two triangulations of the sphere. It is exact; ties are resolved as if the points of the first one were
+// perturbed, see Perturbed_orientation. The vertices are those of the first triangulation, those of the second one, and the crossings of
+// their edges, in the order along the edges of the first one.
 class Sphere_overlay
 {
 public:
   using Index = std::uint32_t;
 
-  // the part of a triangle of the first triangulation that is in one of the second: a convex polygon
+  // The intersection of a triangle of the first triangulation with a triangle of the second one: a convex polygon.
   struct Cell
   {
     std::array<Index, 2> parents;
-    std::size_t end; // of its corners, which are counterclockwise
+    std::size_t end; // the end of its corners, which are counterclockwise
   };
 
   using Crossing = std::array<std::size_t, 2>; // an edge of each triangulation
 
-  // At most so many vertices are made, some 200 bytes each; they are counted in 32 bits.
+  // The maximum number of vertices; each takes about 200 bytes, and has an index of type std::uint32_t.
   explicit Sphere_overlay(std::size_t max_vertices = (std::numeric_limits<std::size_t>::max)())
     : m_max_vertices((std::min)(max_vertices, std::size_t((std::numeric_limits<Index>::max)() - 1)))
   {}
 
-  // The bound by default. Surfaces of faces that are no needles have 4 to 6 times as many vertices in common as alone; two
-  // hubs of degree d have d^2 / 2 more.
+  // The default bound. The refinement of surfaces without needles has 4 to 6 times as many vertices as the surfaces; two coinciding
+  // vertices of degree d add d^2 / 2.
   static std::size_t default_max_vertices(const Sphere_mesh& first, const Sphere_mesh& second)
   {
     constexpr std::size_t always_allowed = std::size_t(1) << 22, factor = 32;
     return (std::max)(always_allowed, factor * (first.points().size() + second.points().size()));
   }
 
-  // Returns ERROR_NO_1_TO_1_MAPPING if the certificate fails: both traces find the same crossings, every cell is one polygon,
-  // and V - E + F = 2; ERROR_TOO_LARGE_OVERLAY if there are too many vertices, before most memory is taken; ERROR_STOPPED if
-  // the control has ended it. The triangulations have to be bijections, and to live longer.
+  // Returns ERROR_NO_1_TO_1_MAPPING if the certificate fails, which requires that both traces find the same crossings, every cell is one
+  // polygon, and V - E + F = 2; ERROR_TOO_LARGE_OVERLAY if there are too many vertices, before most memory is allocated; ERROR_STOPPED if
+  // the control has stopped the run. The triangulations must be bijective.
   template <class Orientation = Perturbed_orientation>
   Error_code assign(const Sphere_mesh& first, const Sphere_mesh& second, Run_control& control,
                     const Execution& execution)
   {
     m_n_first = static_cast<Index>(first.points().size());
     m_n_second = static_cast<Index>(second.points().size());
-    const Orientation of_first(true), of_second(false); // the edges
+    const Orientation of_first(true), of_second(false); // for the edges of the first and of the second triangulation
     m_triangles_of_first = locate_vertices(first, second, of_second, control);
     m_triangles_of_second = locate_vertices(second, first, of_first, control);
     Edge_traces traces_of_first, traces_of_second;
@@ -82,33 +82,33 @@ public:
 
   std::size_t number_of_vertices() const { return std::size_t(m_n_first) + m_n_second + m_crossings.size(); }
 
-  // the triangles of the other triangulation that contain the vertices
+  // The triangles of the other triangulation that contain the vertices.
   const std::vector<Index>& triangles_of_first() const { return m_triangles_of_first; }
   const std::vector<Index>& triangles_of_second() const { return m_triangles_of_second; }
 
   const std::vector<Crossing>& crossings() const { return m_crossings; }
   const std::vector<Cell>& cells() const { return m_cells; }
 
-  // the corners of all cells
+  // The corners of all cells.
   const std::vector<Index>& corners() const { return m_corners; }
 
 private:
-  // a part of an edge, seen from the cell on its left
+  // A part of an edge, as a directed side of the cell on its left.
   struct Part
   {
     std::array<Index, 2> parents;
     Index source, target;
   };
 
-  // Numbers the crossings in the order along the edges of the first triangulation, and finds the numbers of those along
-  // the edges of the second one. Two arcs of less than half a circle cross once at most. Returns false if the traces
-  // differ, or the control ends it.
+  // Assigns indices to the crossings in the order along the edges of the first triangulation, and finds their indices along the edges of
+  // the second one. Two arcs of less than half a circle cross at most once. Returns false if the traces differ, or the control stops the
+  // run.
   bool match(const Edge_traces& first, const Edge_traces& second, std::vector<Index>& crossings_of_second,
              Run_control& control)
   {
     if(first.crossed.size() != second.crossed.size())
       return false;
-    using Numbered = std::array<std::size_t, 3>; // the edges that cross, and the number of the crossing
+    using Numbered = std::array<std::size_t, 3>; // the edges that cross, and the index of the crossing
     const auto numbered = [](const Edge_traces& traces, std::size_t which) {
       std::vector<Numbered> result;
       result.reserve(traces.crossed.size());
@@ -148,7 +148,7 @@ private:
     const auto add_parts = [&](const Sphere_mesh& of, const Edge_traces& traces, std::size_t which) {
       const Triangle_sides edges(of.triangles());
       const Index first_vertex = which == 0 ? 0 : m_n_first, first_crossing = m_n_first + m_n_second;
-      std::size_t k = 0; // of the crossings
+      std::size_t k = 0; // the index of the crossing
       for(std::size_t j = 0; j < traces.edges.size(); ++j)
       {
         const std::size_t e = traces.edges[j];
@@ -175,7 +175,7 @@ private:
     if(!control.go_further(0, 0.))
       return false;
 
-    // Buckets for the triangles of the first triangulation, sorted by those of the second
+    // Buckets for the triangles of the first triangulation, sorted by those of the second one.
     const std::size_t n = first.triangles().size();
     std::vector<std::size_t> begins(n + 1, 0);
     for(const Part& part : parts)
@@ -185,7 +185,7 @@ private:
     std::vector<Part> sorted(parts.size());
     for(const Part& part : parts)
       sorted[ends[part.parents[0]]++] = part;
-    constexpr std::size_t block_size = 256; // of parallel work: enough that handing it out costs nothing
+    constexpr std::size_t block_size = 256; // large enough that the overhead of parallel execution is negligible
     const auto sort = [&](std::size_t begin, std::size_t end) {
       for(std::size_t t = begin; t < end; ++t)
         std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begins[t]),
@@ -211,7 +211,7 @@ private:
     return number_of_vertices() + m_cells.size() == parts.size() / 2 + 2;
   }
 
-  // Chains the parts around a cell.
+  // Chains the parts around a cell. Returns false if they do not form one polygon.
   bool add_cell(const Part* parts, std::size_t n)
   {
     Index corner = parts[0].source;

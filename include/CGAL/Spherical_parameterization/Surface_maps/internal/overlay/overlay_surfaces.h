@@ -27,29 +27,29 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Makes the common refinement, of at most so many vertices if a bound is given. Returns the same errors as Sphere_overlay.
+// Computes the common refinement, with at most `max_vertices` vertices if a bound is given. Returns the same errors as Sphere_overlay.
 Error_code make_overlay(Surface_on_sphere first, Surface_on_sphere second, std::optional<std::size_t> max_vertices,
                         Overlay_arrays& overlay, Run_control& control, const Execution& execution);
 
-// Finds the edges of the first surface that split_bent_faces() splits, as sides of its triangles, see Triangle_sides, in the
-// order in which they are to be split. Returns the same errors as make_overlay().
+// Finds the edges of the first surface that split_bent_faces() splits, as sides of its triangles, see Triangle_sides, in the order in
+// which they must be split. Returns the same errors as make_overlay().
 Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, std::optional<std::size_t> max_vertices,
                            std::size_t max_edges, std::vector<std::size_t>& result, Run_control& control,
                            const Execution& execution);
 
-// The fraction of the area of a surface below which a part of it is a sliver: of those that ties or rounding make, nothing can
-// be said.
-constexpr double default_smallest_area = 1e-10; // as measure_distortion_between() has it
+// The fraction of the area of a surface below which a triangle is a sliver: measures of triangles caused by ties or rounding errors are
+// meaningless.
+constexpr double default_smallest_area = 1e-10; // the same as in measure_distortion_between()
 
-// The edges of a triangle, see Triangle_edges.
+// The scaled edges of a triangle, see Triangle_edges.
 inline std::array<Vector_3d, 3> scaled_edges(const std::array<Vector_3d, 3>& p, double factor)
 {
   return {factor * (p[2] - p[1]), factor * (p[0] - p[2]), factor * (p[1] - p[0])};
 }
 
-// The distortion of a map that is linear in each of these triangles, with their points on both surfaces. If nothing is left
-// beside slivers, as where a surface has no area, all measures are infinite. `bending` receives the contribution of each
-// triangle to the integral of the logarithm of the energy, if there is one.
+// The distortion of a map that is linear in each of these triangles, given their points on both surfaces. If all triangles are slivers,
+// for example because a surface has no area, all measures are infinite. If `bending` is not null, it receives the contribution of each
+// triangle to the integral of the logarithm of half the energy.
 Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2>& points,
                                       const Index_triangles& triangles, double smallest_area,
                                       const Execution& execution = Execution(), std::vector<double>* bending = nullptr);

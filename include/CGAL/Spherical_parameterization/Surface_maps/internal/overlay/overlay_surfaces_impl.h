@@ -40,13 +40,13 @@ Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2
                                       const Index_triangles& triangles, double smallest_area,
                                       const Execution& execution, std::vector<double>* bending)
 {
-  constexpr std::size_t block_size = 4096; // some 0.3 ms
+  constexpr std::size_t block_size = 4096; // about 0.3 ms
   const std::size_t n = triangles.size(), n_blocks = (n + block_size - 1) / block_size;
   const auto for_all_blocks = [&](const auto& f) {
     for_each_block(execution, 0, n, block_size,
                    [&](std::size_t begin, std::size_t end) { f(begin / block_size, begin, end); });
   };
-  // Scaled by powers of two, which is exact, so that no area overflows or underflows.
+  // Points are scaled by powers of two, which is exact, so that areas neither overflow nor underflow.
   std::array<int, 2> exponents = {0, 0};
   for(std::size_t surface = 0; surface < 2; ++surface)
   {
@@ -85,14 +85,14 @@ Distortion_between distortion_between(const std::array<std::vector<Vector_3d>, 2
 
   struct Part
   {
-    Distortion_between distortion; // sums, where it has means
+    Distortion_between distortion; // sums instead of means
     std::array<double, 2> weights = {0., 0.};
   };
   using Statistics = Distortion_between::Statistics;
   constexpr std::array<Statistics Distortion_between::*, 4> measures = {
       &Distortion_between::isometric, &Distortion_between::area, &Distortion_between::angle,
       &Distortion_between::energy};
-  const double factor = std::sqrt(sums[0] / sums[1]); // of the lengths on the second surface
+  const double factor = std::sqrt(sums[0] / sums[1]); // the scale of lengths on the second surface
   std::vector<Part> parts(n_blocks);
   for_all_blocks([&](std::size_t block, std::size_t begin, std::size_t end) {
     Part part;
@@ -152,7 +152,7 @@ Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, st
                            std::size_t max_edges, std::vector<std::size_t>& result, Run_control& control,
                            const Execution& execution)
 {
-  constexpr double part = 0.3; // of the sum
+  constexpr double part = 0.3; // the fraction of the sum
   Sphere_mesh sphere, other_sphere;
   sphere.assign(std::move(first.images), std::move(first.triangles));
   other_sphere.assign(std::move(second.images), std::move(second.triangles));
@@ -171,7 +171,7 @@ Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, st
   };
   using Weighted_side = std::pair<double, std::size_t>;
   const auto has_more = [](const Weighted_side& a, const Weighted_side& b) { return a.first > b.first; };
-  std::vector<Weighted_side> longest; // with the energies of the faces
+  std::vector<Weighted_side> longest; // the longest side of each face, with the energy of the face
   double left = 0.;
   for(std::size_t t = 0; t < energies.size(); ++t)
     if(energies[t] > 0. && is_finite(energies[t]))
@@ -183,8 +183,8 @@ Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, st
       left += part * energies[t];
     }
   std::stable_sort(longest.begin(), longest.end(), has_more);
-  std::vector<bool> is_chosen(sides.size(), false); // of the edges
-  std::vector<Weighted_side> chosen;                // with their squared lengths
+  std::vector<bool> is_chosen(sides.size(), false); // for each edge
+  std::vector<Weighted_side> chosen;                // the selected sides, with their squared lengths
   for(std::size_t k = 0; k < longest.size() && left > 0. && chosen.size() < max_edges; ++k)
   {
     const auto [energy, side] = longest[k];
@@ -193,7 +193,7 @@ Error_code find_bent_sides(Surface_on_sphere first, Surface_on_sphere second, st
       chosen.emplace_back(squared_length_of(side), side);
     is_chosen[sides.edge(side)] = true;
   }
-  // A face with two of them is halved at the longer one, whose halves are rounder.
+  // A face with two selected edges is halved at the longer one, which yields rounder halves.
   std::stable_sort(chosen.begin(), chosen.end(), has_more);
   for(const Weighted_side& side : chosen)
     result.push_back(side.second);

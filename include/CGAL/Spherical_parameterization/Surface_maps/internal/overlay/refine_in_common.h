@@ -28,11 +28,12 @@ inline Vector_3d point_on_edge(const Vector_3d& p, const Vector_3d& q, double t)
   return (1. - t) * p + t * q;
 }
 
-// The parameter of the point of the edge from p to q on the ray of r, from 0 to 1, if it is in its plane, or next to it.
+// The parameter from 0 to 1 of the point of the edge from p to q on the ray of r, which lies in or near the plane of the edge.
 inline double parameter_on_edge(const Vector_3d& p, const Vector_3d& q, const Vector_3d& r)
 {
   const Vector_3d n = cross(p, q);
-  const double to_p = dot(cross(p, r), n), to_q = dot(cross(r, q), n); // (1 - t) p + t q crosses with t n and (1 - t) n
+  // p x r = t n and r x q = (1 - t) n for r = (1 - t) p + t q
+  const double to_p = dot(cross(p, r), n), to_q = dot(cross(r, q), n);
   const double t = to_p / (to_p + to_q);
   return t > 0. ? (std::min)(t, 1.) : 0.;
 }
@@ -49,20 +50,21 @@ inline void scale_to_unit(Vector_3d& p, Vector_3d& q)
       x = std::scalbn(x, -exponent);
 }
 
-// Where two edges cross, from 0 to 1 on each: the numbers s and t for which (1 - s) a1 + s a2 and (1 - t) b1 + t b2 have one
-// direction. Edges that are next to each other over a length have no one crossing, but a direction that they share.
+// The parameters from 0 to 1 of the crossing of two edges: the numbers s and t for which (1 - s) a1 + s a2 and (1 - t) b1 + t b2 have the
+// same direction. Edges that coincide up to rounding along an interval have no unique crossing, but the result is a common direction.
 inline std::array<double, 2> crossing_parameters(Vector_3d a1, Vector_3d a2, Vector_3d b1, Vector_3d b2)
 {
   scale_to_unit(a1, a2);
   scale_to_unit(b1, b2);
   const Vector_3d n = cross(b1, b2);
-  const double d1 = std::abs(dot(n, a1)), d2 = std::abs(dot(n, a2)); // on two sides, but for ties and rounding
+  // The signs differ, except for ties and rounding errors.
+  const double d1 = std::abs(dot(n, a1)), d2 = std::abs(dot(n, a2));
   const double s = d1 + d2 > 0. ? d1 / (d1 + d2) : 0.5;
   const double t = parameter_on_edge(b1, b2, point_on_edge(a1, a2, s));
   return {parameter_on_edge(a1, a2, point_on_edge(b1, b2, t)), t};
 }
 
-// make_overlay() of spheres that need no grid.
+// make_overlay() for spheres, which need no grid.
 inline Error_code refine_in_common(const Sphere_mesh& sphere1, const std::vector<Vector_3d>& points1,
                                    const Sphere_mesh& sphere2, const std::vector<Vector_3d>& points2,
                                    std::optional<std::size_t> max_vertices, Overlay_arrays& overlay,

@@ -24,7 +24,7 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The bilinear interpolation between the corners of a square, (0, 0), (0, 1), (1, 0) and (1, 1), and its slopes.
+// The bilinear interpolation between the corners (0, 0), (0, 1), (1, 0) and (1, 1) of a square, and its derivatives.
 template <class T>
 struct Bilinear
 {
@@ -39,7 +39,7 @@ struct Bilinear
   T value, along_u, along_v;
 };
 
-// The directions of the nodes of an image on the sides of a cube.
+// The directions of the nodes of an image on the faces of a cube.
 inline std::vector<Vector_3d> nodes_of_cube(std::size_t n_steps)
 {
   std::vector<Vector_3d> result;
@@ -48,23 +48,24 @@ inline std::vector<Vector_3d> nodes_of_cube(std::size_t n_steps)
   return result;
 }
 
-// An image on the sphere with several values for each direction, on the faces of a cube: fast to look up.
+// An image on the sphere with several values for each direction, stored on the faces of a cube for fast access.
 class Sphere_image
 {
 public:
-  // Along an edge of the cube: they are 1.9 degrees apart in the mean, less than half as far as the vertices of a Surface_descriptor.
+  // Along an edge of the cube. Nodes are 1.9 degrees apart in the mean, less than half the distance of the vertices of a
+  // Surface_descriptor.
   static constexpr std::size_t default_steps = 48;
 
   using Locations = std::vector<Sphere_mesh::Triangle_location>;
 
-  // Locates the nodes of the cube in a triangulation of the sphere, which has a grid.
+  // Locates the nodes of the cube in a triangulation of the sphere, which must have a grid.
   static Locations locate_nodes(const Sphere_mesh& sphere, const Execution& execution,
                                 std::size_t n_steps = default_steps)
   {
     return sphere.locate(points_of(nodes_of_cube(n_steps)), execution);
   }
 
-  // Interpolates channels that have a value for each vertex of that triangulation.
+  // Interpolates channels, which have one value for each vertex of that triangulation.
   Sphere_image(const Locations& nodes, const std::vector<Linked_triangle>& triangles,
                const std::vector<std::vector<double>>& channels, std::size_t n_steps = default_steps)
     : m_n_steps(n_steps)
@@ -79,10 +80,10 @@ public:
 
   std::size_t number_of_channels() const { return m_n_channels; }
 
-  // How many numbers the values of one node take: so many that they are worked on in lanes without a rest. The others are 0.
+  // The number of values that are stored per node, a multiple of the number of lanes. The additional values are 0.
   static std::size_t row_size(std::size_t n_channels) { return (n_channels + 3) / 4 * 4; }
 
-  // For a direction in each lane, the values at the node that is nearest to it, in the side of the cube that it leads to.
+  // For a direction in each lane, the values at the nearest node of the side of the cube that contains the direction.
   template <class FT>
   std::array<const double*, Lanes<FT>::width> nearest(const Vector_3<FT>& p) const
   {
@@ -102,7 +103,7 @@ public:
       result[k] = w[0] * c[0][k] + w[1] * c[1][k] + w[2] * c[2][k] + w[3] * c[3][k];
   }
 
-  // For a direction in each lane, the sum of the squares of the differences from given values, rows of row_size() numbers.
+  // For a direction in each lane, the sum of the squared differences from given values, which are rows of row_size() numbers.
   template <class FT>
   FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values) const
   {
@@ -124,8 +125,8 @@ public:
     });
   }
 
-  // The same with half of its derivatives in two tangential directions; the second ones are those of Gauss and Newton,
-  // without those of the image.
+  // The same sum, with half of its first and second derivatives in two tangential directions. Second derivatives are those of the
+  // Gauss-Newton method, without the second derivatives of the image.
   template <class FT>
   FT squared_difference(const Vector_3<FT>& p, const std::array<const double*, Lanes<FT>::width>& values,
                         const Vector_3<FT>& t1, const Vector_3<FT>& t2, std::array<FT, 2>& gradient,
@@ -133,7 +134,8 @@ public:
   {
     constexpr std::size_t width = Lanes<FT>::width;
     const Basic_cube_location<FT> location(p, m_n_steps);
-    std::array<std::array<double, width>, 6> sums; // of the products of the difference and its slopes, in the lanes
+    // Sums of products of the difference and its derivatives, for each lane.
+    std::array<std::array<double, width>, 6> sums;
     for(std::size_t l = 0; l < width; ++l)
     {
       const auto c = corners(location, l);
@@ -177,7 +179,7 @@ private:
 
   const double* at_node(std::size_t node) const { return m_values.data() + node * m_row; }
 
-  // the rows of the nodes around a location
+  // The rows of the nodes around a location.
   template <class FT>
   std::array<const double*, 4> corners(const Basic_cube_location<FT>& location, std::size_t lane) const
   {

@@ -28,25 +28,25 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// How often the levels are swept.
+// The stopping criteria of the sweeps over a level.
 struct Target_sweeps
 {
-  std::size_t maximum = 60;     // with 20, errors are larger by a fortieth
-  double settled_change = 1e-4; // of the mean energy, from one measurement to the next
-  // Of its shortest edge, by which a vertex may move and be passed over then, if its neighbors are. With a half of it, the
-  // descent takes 1.5 times as long, for an energy that is lower by 0.4 percent.
+  std::size_t maximum = 60;            // with 20, errors are larger by 1/40
+  double convergence_tolerance = 1e-4; // of the mean energy between two measurements
+  // A vertex that moves by less than this fraction of its shortest edge is skipped as long as its neighbors do the same. With half of
+  // this value, the descent takes 1.5 times as long, and the energy is lower by 0.4 percent.
   double settled_part = 0.04;
 };
 
-// How a map to the sphere of another surface is lowered on the levels of a hierarchy, see Level_descent. Every state is a
-// bijection, as every level is: vertices are removed only where the images of the faces stay positive, and are put back where
-// they were in the triangles that they have left, as these have moved.
+// The descent of a map to the sphere of another surface on the levels of a hierarchy, see Level_descent. All intermediate maps are
+// bijective, like all levels: vertices are removed only where the images of the faces stay positive, and are inserted at their former
+// coordinates in the triangles that have replaced them, which may have moved.
 class Target_levels
 {
 public:
   using Space = Target_sphere;
 
-  // The images are those that the levels have been made by. All have to last as long as this.
+  // The images are those from which the levels were built. All arguments must outlive this object.
   Target_levels(const Target_sphere& space, const Target_sweeps& sweeps, const std::vector<Vector_3d>& images)
     : m_space(space)
     , m_sweeps(sweeps)
@@ -54,10 +54,10 @@ public:
   {}
 
   const Space& space() const { return m_space; }
-  Newton_step step() const { return Newton_step(1.9); } // nothing but sweeps carries changes over the surface
+  Newton_step step() const { return Newton_step(1.9); } // changes propagate over the surface by sweeps only
 
-  // Of the levels with many vertices, every other one is swept but once, as these differ by a third: to sweep all of them takes 1.5
-  // times as long for the same energy. Of the coarser ones, all are needed for extremities to be led to where they belong.
+  // On levels with many vertices, whose sizes differ by a third, every other one is swept only once: sweeping all of them fully takes 1.5
+  // times as long for the same energy. All coarser levels are needed to guide extremities to their correct positions.
   Level_sweeps start_level(Space& space, const Mesh_hierarchy::Level& level, bool is_last)
   {
     constexpr std::size_t many = 300;
@@ -70,11 +70,12 @@ public:
     m_is_swept = is_swept;
     if(is_swept)
       m_last_swept_size = n;
-    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.settled_change};
+    return {is_swept ? m_sweeps.maximum : 1, m_sweeps.convergence_tolerance};
   }
 
-  // Where a vertex is in one of the triangles of its hole, fanned out from the first vertex, and goes to along with it.
-  bool find_place(const Ring_hole& hole, const Mesh_hierarchy::Removed_vertex& removed, Vector_3d& position) const
+  // Finds the triangle of the hole, triangulated as a fan from its first vertex, that contains the vertex, and its moved position.
+  bool find_insertion_point(const Ring_hole& hole, const Mesh_hierarchy::Removed_vertex& removed,
+                            Vector_3d& position) const
   {
     const Ring_hole old = {m_old, hole.ring, hole.first};
     const Vector_3d& p = position = m_old[removed.vertex];
@@ -97,7 +98,7 @@ public:
   template <class Descent>
   void choose_radius(const Descent&, double&) const
   {}
-  // Landmarks are not placed on a level that is swept but once: they have not been drawn to there yet.
+  // Landmarks are not fixed on a level that is swept only once, because they have not been moved to their goals yet.
   void start_sweep(Space& space, std::size_t sweep, bool is_last) const
   {
     space.start_sweep(sweep, is_last && m_is_swept);
@@ -108,29 +109,29 @@ private:
   Target_sphere m_space;
   Target_sweeps m_sweeps;
   const std::vector<Vector_3d>& m_images;
-  bool m_is_swept = true; // the level
+  bool m_is_swept = true; // whether the level is swept more than once
   std::size_t m_last_swept_size = 0;
-  std::vector<Vector_3d> m_old; // of the level
+  std::vector<Vector_3d> m_old; // the images of the level
 };
 
-// What a map to the sphere of another surface is to be like.
+// The goals of a map to the sphere of another surface.
 struct Target_goals
 {
   const Target_metric& metric;
   const Feature_goals& features;
-  double feature_weight; // of the mean of their squared differences, beside the mean energy
+  double feature_weight; // of the mean of their squared differences, relative to the mean energy
   Landmark_goals landmarks{};
 };
 
-// Lowers the energy of the map to another surface on the levels of a hierarchy, which are used up, from given positions of
-// the vertices of the coarsest level on. The other ones are put between their neighbours as in the images that the hierarchy
-// was made by. It may end at another level than the finest, and then leaves their positions. The points are those of a
-// surface of area 4 pi. Hard landmarks that have been met stay where they are. Returns false if doubles cannot hold a level;
-// the positions are of no use then.
-inline bool lower_on_levels(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points,
-                            const std::vector<Vector_3d>& images, const Target_goals& goals,
-                            const Target_sweeps& sweeps, std::vector<Vector_3d>& positions, Run_control& control,
-                            const Execution& execution, std::size_t last_level = 0)
+// Minimizes the energy of the map to another surface on the levels of a hierarchy, which are consumed, starting from given positions of
+// the vertices of the coarsest level. Other vertices are inserted between their neighbors as in the images from which the hierarchy was
+// built. The descent may end at a level other than the finest, without changing the positions of finer ones. The points belong to a
+// surface of area 4 pi. Hard landmarks that have been met stay fixed. Returns false if double precision does not suffice for a level; the
+// positions are then invalid.
+inline bool minimize_on_levels(Mesh_hierarchy& hierarchy, const std::vector<Vector_3d>& points,
+                               const std::vector<Vector_3d>& images, const Target_goals& goals,
+                               const Target_sweeps& sweeps, std::vector<Vector_3d>& positions, Run_control& control,
+                               const Execution& execution, std::size_t last_level = 0)
 {
   Target_levels plan(
       Target_sphere(goals.metric, goals.landmarks, goals.features, goals.feature_weight, sweeps.settled_part), sweeps,
@@ -138,11 +139,11 @@ inline bool lower_on_levels(Mesh_hierarchy& hierarchy, const std::vector<Vector_
   return Level_descent(hierarchy, points, Rest_limits(), plan, control, execution).run(positions, last_level);
 }
 
-// The same from all positions, which are the images as well, on levels from about `min_size` vertices on. Returns false, and
-// leaves them as they are, if doubles cannot hold a level, or the map that it starts from.
-inline bool lower_on_target(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Target_goals& goals,
-                            std::size_t min_size, const Target_sweeps& sweeps, std::vector<Vector_3d>& positions,
-                            Run_control& control, const Execution& execution)
+// The same, starting from the positions of all vertices, which are also the images, on levels from about `min_size` vertices on. Returns
+// false, without changing the positions, if double precision does not suffice for a level or for the initial map.
+inline bool minimize_on_target(const Vertex_rings& rings, const std::vector<Vector_3d>& points,
+                               const Target_goals& goals, std::size_t min_size, const Target_sweeps& sweeps,
+                               std::vector<Vector_3d>& positions, Run_control& control, const Execution& execution)
 {
   if(!are_safely_positive(rings, positions))
     return false;
@@ -152,7 +153,7 @@ inline bool lower_on_target(const Vertex_rings& rings, const std::vector<Vector_
   Mesh_hierarchy hierarchy(rings, points, vertex_areas(rings, points), control, execution, positions, is_fixed,
                            min_size);
   std::vector<Vector_3d> result = positions;
-  if(!lower_on_levels(hierarchy, points, positions, goals, sweeps, result, control, execution))
+  if(!minimize_on_levels(hierarchy, points, positions, goals, sweeps, result, control, execution))
     return false;
   positions.swap(result);
   return true;

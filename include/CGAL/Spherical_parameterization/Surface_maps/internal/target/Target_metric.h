@@ -24,15 +24,15 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The metric of a surface in a direction of its sphere: how long a tangent vector of the sphere is on the surface,
-// |J e|^2 = e^T S e with S = J^T J, J the derivative of the inverse map, and how large areas are.
+// The metric of a surface in a direction of its sphere: the length of a tangent vector of the sphere on the surface,
+// |J e|^2 = e^T S e with S = J^T J, where J is the derivative of the inverse map, and the area factor.
 //
-// S leaves out what a vector has along the direction. So it has three numbers, and acts on vectors that are flattened into
-// the plane of a side of a cube around the sphere, see Cube_location.
+// S ignores the component of a vector along the direction. Hence it has three numbers, and acts on vectors that are flattened into the
+// plane of a side of a cube around the sphere, see Cube_location.
 template <class FT>
 struct Metric_sample
 {
-  std::array<FT, 4> numbers; // uu, uv and vv of S, and the area
+  std::array<FT, 4> numbers; // the entries uu, uv and vv of S, and the area factor
 
   std::array<FT, 2> operator()(const std::array<FT, 2>& e) const
   {
@@ -46,10 +46,9 @@ struct Metric_sample
   const FT& area() const { return numbers[3]; }
 };
 
-// The metric of a surface, of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse: a value
-// anywhere is interpolated between four nodes, so that it is all but continuous, unlike the metric itself, and takes no
-// search. (Where two sides meet, they have the same metric at the nodes, and in between one that differs by the square of
-// how far nodes are from each other.)
+// The metric of a surface of area 4 pi, as images on the faces of a cube around the sphere, from fine to coarse. Values are interpolated
+// between four nodes, without a search. Unlike the metric itself, they are continuous, except where two sides meet: there, the values
+// agree at the nodes, and differ between them by the square of the distance of nodes.
 class Target_metric
 {
 public:
@@ -65,7 +64,7 @@ public:
     const std::vector<Vector_3d> nodes = nodes_of_cube(n);
     const auto locations = images.locate(points_of(nodes), execution);
     Tensor_image image{n, std::vector<Tensor>(nodes.size())};
-    // 1024 nodes of parallel work: enough that handing it out costs nothing
+    // Blocks of 1024 nodes are large enough that the overhead of parallel execution is negligible.
     for_each_in_blocks(execution, 0, nodes.size(), 1024, [&](std::size_t k) {
       const Linked_triangle& t = images.triangles()[locations[k].triangle];
       const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
@@ -79,8 +78,8 @@ public:
     }
   }
 
-  // The level that a mesh with so many vertices is to see: a coarser one hides what it could follow, a finer one is noise
-  // to it, as each of its faces looks at one location.
+  // The level for a mesh with this number of vertices: a coarser one hides detail that the mesh could follow, a finer one appears as noise,
+  // because each face samples one location.
   std::size_t level_for(std::size_t n_vertices) const
   {
     std::size_t level = 0;
@@ -108,7 +107,7 @@ public:
     return in_lanes<FT>(mixed);
   }
 
-  // The same, and how it changes along both sides of the square.
+  // The same, and its derivatives along both sides of the square.
   template <class FT>
   std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_location<FT>& location, std::size_t level) const
   {
@@ -123,11 +122,11 @@ public:
   }
 
 private:
-  // A vertex of the first surface has 3 to 12 nodes, a few for each of its two faces: images differ by a factor of 4.
-  // The least image, of 96 nodes, is for a tetrahedron; the largest, of 6.3 million, takes 100 MB.
+  // A vertex of the first surface has 3 to 12 nodes, a few for each of its two faces: the sizes of images differ by a factor of 4. The
+  // smallest image, with 96 nodes, suffices for a tetrahedron; the largest, with 6.3 million nodes, takes 100 MB.
   static constexpr std::size_t nodes_per_vertex = 12, min_size = 4, max_size = 1024;
 
-  // The numbers of a Metric_sample: as floats, they come faster from memory.
+  // The numbers of a Metric_sample, in single precision for memory bandwidth.
   using Texel = std::array<float, 4>;
 
   struct Image
@@ -136,12 +135,12 @@ private:
     std::vector<Texel> texels;
   };
 
-  // In each lane there are other texels, whose four numbers are processed at once.
+  // Each lane has different texels, whose four numbers are processed at once.
   using Numbers = Four_lanes;
   template <class FT>
   using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
 
-  // Calls f(lane, k, corners) with the numbers from k on of the corners around the location in each lane.
+  // Calls f(lane, k, corners) for each lane, with the numbers from k on of the corners around the location.
   template <class FT, class Function>
   void for_each_lane(const Basic_cube_location<FT>& location, std::size_t level, const Function& f) const
   {
@@ -167,7 +166,7 @@ private:
     return {{number(0), number(1), number(2), number(3)}};
   }
 
-  // S in space, which does not depend on the side, for what looks at several: xx, xy, xz, yy, yz, zz, and the area.
+  // S in space, which does not depend on the side, for operations across sides: xx, xy, xz, yy, yz, zz, and the area factor.
   using Tensor = std::array<double, 7>;
 
   struct Tensor_image
@@ -195,7 +194,7 @@ private:
 
   static Image flattened(const Tensor_image& image)
   {
-    // of the two coordinates of each side, see Cube_location::point()
+    // The indices for the two coordinates of each side, see Cube_location::point().
     constexpr std::array<std::array<std::size_t, 3>, 3> indices = {{{3, 4, 5}, {5, 2, 0}, {0, 1, 3}}};
     Image result{image.n, {}};
     result.texels.reserve(image.tensors.size());
@@ -208,7 +207,7 @@ private:
     return result;
   }
 
-  // Averages over the neighbourhood of each node of an image with n steps.
+  // Averages an image over the neighborhoods of the nodes of an image with n steps.
   static Tensor_image smoothed(const Tensor_image& fine, std::size_t n)
   {
     Tensor_image result{n, {}};
@@ -225,7 +224,8 @@ private:
     return result;
   }
 
-  // Gives the nodes of several sides, on the edges of the cube, their mean: each side has averaged them in its own way.
+  // Replaces the values of nodes that several sides share, on the edges of the cube, by their mean, because each side averages them
+  // differently.
   static void join_sides(Tensor_image& image)
   {
     const int n = static_cast<int>(image.n);
@@ -255,7 +255,7 @@ private:
     }
   }
 
-  // at the direction q, for the triangle x of the surface and its image p
+  // The tensor in the direction q, for the triangle x of the surface and its image p.
   static Tensor tensor_of(const std::array<Vector_3d, 3>& p, const std::array<Vector_3d, 3>& x, const Vector_3d& q)
   {
     std::array<Vector_3d, 3> l = {cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1])};

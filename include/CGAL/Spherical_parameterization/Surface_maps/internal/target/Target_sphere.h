@@ -25,23 +25,23 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// Where vertices of the first surface are to go on the sphere of the second one.
+// The goals of vertices of the first surface on the sphere of the second one.
 struct Landmark_goals
 {
-  std::vector<std::optional<Vector_3d>> directions; // of the vertices; empty if there are no landmarks
-  double weight = 0.; // of each squared distance, beside the sum over the faces; 0: they are to be met exactly
+  std::vector<std::optional<Vector_3d>> directions; // the goal of each vertex, if any; empty if there are no landmarks
+  double weight = 0.; // of each squared distance, relative to the sum over the faces; 0 if landmarks are hard
 
   bool is_hard() const { return !(weight > 0.); }
 };
 
-// Features of the second surface, and their values at the vertices of the first one, those of one vertex side by side.
+// The features of the second surface, and their values at the vertices of the first one, contiguous for each vertex.
 struct Feature_goals
 {
   std::optional<Sphere_image> image;
-  std::vector<double> values; // in rows of the image
-  std::vector<char> mask;     // of the vertices that have none; empty if all have them
+  std::vector<double> values; // in rows as in the image
+  std::vector<char> mask;     // nonzero at excluded vertices; empty if none is excluded
 
-  // Takes the values of each feature.
+  // Sets the values of each feature.
   void set_values(const std::vector<std::vector<double>>& channels)
   {
     const std::size_t row = Sphere_image::row_size(channels.size());
@@ -56,17 +56,17 @@ struct Feature_goals
   }
 };
 
-// The sphere of another surface as the space that vertices move on, see Block_coordinate_descent: its metric, goals for
-// landmarks, and features. The level is the one of Target_levels.
+// The sphere of another surface as the space in which vertices move, see Block_coordinate_descent, with its metric, goals of landmarks, and
+// features. The level is that of Target_levels.
 class Target_sphere
 {
 public:
   using Energy = Two_way_energy;
-  using Scratch = In_lanes<Target_star>; // what a thread needs to move stars
+  using Scratch = In_lanes<Target_star>; // the memory of a thread
 
   static constexpr bool is_lanewise = true;
 
-  // All have to last as long as this.
+  // All arguments must outlive this object.
   Target_sphere(const Target_metric& metric, const Landmark_goals& goals, const Feature_goals& features,
                 double feature_weight, double settled_part)
     : m_settled_part(settled_part)
@@ -79,7 +79,7 @@ public:
 
   const Energy& energy() const { return m_energy; }
 
-  // Starts with a level, whose vertices have these numbers in the mesh.
+  // Starts a level whose vertices have these indices in the mesh.
   void start_level(const std::vector<std::uint32_t>& vertices)
   {
     m_vertices = &vertices;
@@ -93,7 +93,7 @@ public:
     m_is_last_sweep = is_last;
   }
 
-  // Whether a landmark of the level is still to be met.
+  // Whether a hard landmark of the level has not been met yet.
   bool has_open_landmarks() const
   {
     if(m_goals->directions.empty() || !m_goals->is_hard())
@@ -102,8 +102,8 @@ public:
                        [&](std::uint32_t v) { return m_goals->directions[v] && !m_is_pinned[v]; });
   }
 
-  // Moves the vertices of the star in each lane, but no more than `n_vertices`. A vertex is passed over once neither it nor a
-  // neighbor has moved by more than a small part of its shortest edge.
+  // Moves the center of the star in each lane, for at most `n_vertices` lanes. A vertex is skipped if neither it nor a neighbor has moved
+  // by more than a small fraction of its shortest edge.
   template <class FT>
   void move(const Star_view<FT>& view, const std::uint32_t* vertices, std::size_t n_vertices, Vector_3d* positions,
             double, const Face_objective&, const Newton_step& vertex_step, Scratch& scratch)
@@ -118,7 +118,7 @@ public:
     star.load(view, positions, m_metric_level);
     if(m_features->image)
       set_features(star, vertices);
-    std::array<bool, width> is_placed{}; // by a goal
+    std::array<bool, width> is_placed{}; // moved exactly to its goal
     if(!m_goals->directions.empty())
       set_goals(star, vertices, positions, is_open, is_placed);
     star.set_open(is_open);
@@ -134,13 +134,14 @@ public:
           positions[v] = *m_goals->directions[number];
         else if(lane(is_moved, k))
           positions[v] = {lane(point[0], k), lane(point[1], k), lane(point[2], k)};
-        const bool is_on_its_way = has_goal(number) && m_goals->is_hard() && !m_is_pinned[number];
-        m_is_settled[v] = !is_on_its_way && squared_length(positions[v] - old) <=
-                                                m_settled_part * m_settled_part * lane(star.squared_shortest_edge(), k);
+        const bool is_moving_to_goal = has_goal(number) && m_goals->is_hard() && !m_is_pinned[number];
+        m_is_settled[v] =
+            !is_moving_to_goal && squared_length(positions[v] - old) <=
+                                      m_settled_part * m_settled_part * lane(star.squared_shortest_edge(), k);
       }
   }
 
-  // I and d of faces with these corners and rest shapes, see Face_invariants_3.
+  // The invariants I and d of faces with these corners and rest shapes, see Face_invariants_3.
   template <class FT>
   std::array<FT, 3> invariants(const std::array<Vector_3<FT>, 3>& p, const std::array<FT, 3>& opposite,
                                const FT& inverse_doubled_area, const FT&, double, const Face_objective&) const
@@ -174,7 +175,7 @@ private:
     typename Target_star<FT>::Values values;
     for(std::size_t k = 0; k < values.size(); ++k)
       values[k] = m_features->values_of((*m_vertices)[vertices[k]]);
-    // A vertex stands for a third of the area of its faces, as all have it on this level. The factor is 8 pi over 4 pi, the area.
+    // A vertex accounts for a third of the area of its faces on this level. The factor is 8 pi divided by the area, 4 pi.
     const double factor = 2. * m_feature_weight / 3. / static_cast<double>(m_features->image->number_of_channels());
     const FT counts = Lanes<FT>::generate([&](std::size_t k) {
       return m_features->mask.empty() || !m_features->mask[(*m_vertices)[vertices[k]]] ? 1. : 0.;
@@ -182,9 +183,9 @@ private:
     star.set_features(&*m_features->image, values, factor * counts * star.area());
   }
 
-  // A hard landmark is drawn to its goal ever harder, its weight doubling for 20 sweeps, until its star has less than
-  // twice the energy there: the faces around it make way meanwhile. In the last sweep any energy will do that is not
-  // next to a face that turns over. It is placed then, and stays.
+  // A hard landmark is attracted to its goal with a weight that doubles in each of 20 sweeps, until the energy of its star at the goal is
+  // less than twice the current one; meanwhile, the surrounding faces adapt. In the last sweep, any energy is accepted that is not caused
+  // by a nearly degenerate face. The vertex is then fixed at its goal.
   template <class FT>
   void set_goals(Target_star<FT>& star, const std::uint32_t* vertices, const Vector_3d* positions,
                  std::array<bool, Lanes<FT>::width>& is_open, std::array<bool, Lanes<FT>::width>& is_placed)
@@ -225,17 +226,17 @@ private:
     star.set_goal(goal, weight * in_lanes(counts));
   }
 
-  double m_settled_part; // of the shortest edge
+  double m_settled_part; // fraction of the shortest edge
   const Target_metric* m_metric;
   const Landmark_goals* m_goals;
   const Feature_goals* m_features;
   double m_feature_weight;
   Energy m_energy;
-  const std::vector<std::uint32_t>* m_vertices = nullptr; // of the level
+  const std::vector<std::uint32_t>* m_vertices = nullptr; // the indices of the vertices of the level
   std::size_t m_metric_level = 0, m_sweep = 0;
   bool m_is_last_sweep = false;
-  std::vector<char> m_is_pinned;  // of the mesh
-  std::vector<char> m_is_settled; // of the level
+  std::vector<char> m_is_pinned;  // for the vertices of the mesh
+  std::vector<char> m_is_settled; // for the vertices of the level
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -26,11 +26,11 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The symmetric Dirichlet energy of the map between two surfaces, integrated over both and halved,
+// The symmetric Dirichlet energy of the map between two surfaces, integrated over both and divided by two:
 //
 //   E = (1 + d) / 2 (I + I / d^2) / 2
 //
-// for each unit of area of the first one: 2 where the map is isometric.
+// per unit of area of the first surface; 2 where the map is isometric.
 class Two_way_energy
 {
 public:
@@ -51,30 +51,30 @@ public:
   }
 };
 
-// The energy of the faces around one vertex of the first surface, as a function of the two tangential coordinates of its
-// image on the sphere of the second one: what a Newton_step lowers. That of a face counts as its doubled area does. With a
-// packed number type it serves as many stars at once as that has lanes.
+// The energy of the faces around a vertex of the first surface, as a function of the two tangential coordinates of its image on the sphere
+// of the second one: the objective of a Newton_step. Faces are weighted with their doubled areas. With a packed number type, one object
+// processes as many stars as the type has lanes.
 //
-// The metric S of the second surface, at the centre of the image, makes I of the edges e by e^T S e, and its area factor
-// makes d of the determinant of the corners: so E is infinite exactly where a face turns over on the sphere, as all
-// energies of the package are.
+// The metric S of the second surface at the center of the image yields I from the terms e^T S e of the edges e, and its area factor yields
+// d from the determinant of the corners. Hence E is infinite exactly where a face is inverted on the sphere, like all energies of the
+// package.
 //
-// The gradient has the change of the metric along with the centre. Without it each face would be content where it is, and
-// no extremity would ever slide to where it belongs. The Hessian leaves it out.
+// The gradient includes the change of the metric with the center. Without it, each face would be stationary at its current position, and
+// extremities would not move along the surface to their correct positions. The Hessian omits it.
 //
-// A goal adds the squared distance from it, and features the squares of their differences, each times a weight.
+// A goal adds the squared distance from it, and features add their squared differences, each with a weight.
 template <class FT = double>
 class Target_star
 {
 public:
-  // the values of features in each lane
+  // The values of features in each lane.
   using Values = std::array<const double*, Lanes<FT>::width>;
 
   explicit Target_star(const Target_metric& metric)
     : m_metric(metric)
   {}
 
-  // Takes the star of a vertex, without a goal or features, to be seen at a level of the metric.
+  // Loads the star of a vertex, without a goal or features, for a level of the metric.
   void load(const Star_view<FT>& star, const Vector_3d* positions, std::size_t level)
   {
     m_level = level;
@@ -137,10 +137,10 @@ public:
       const auto [s, along_u, along_v] = m_metric.with_slopes_at(location, m_level);
       const FT i = dirichlet(s), volume = dot(m_center, f.normal), to_d = f.inverse_doubled_area * s.area(),
                d = to_d * volume + f.padding;
-      // The metric changes with the sum of the corners.
+      // The metric depends on the sum of the corners.
       const auto c1 = location.change(u1), c2 = location.change(u2);
       const FT iu = dirichlet(along_u), iv = dirichlet(along_v), to_area = f.inverse_doubled_area * volume;
-      // So does how edges are flattened; those next to the vertex change with it as well.
+      // So does the flattening of edges; the edges at the vertex also depend on the vertex itself.
       const FT h0 = -o0 * location.height(e0), h1 = o1 * (1. - location.height(e1)),
                h2 = -o2 * (1. + location.height(e2));
       const std::array<FT, 2> pull = {h0 * a0[0] + h1 * a1[0] + h2 * a2[0], h0 * a0[1] + h1 * a1[1] + h2 * a2[1]};
@@ -179,7 +179,7 @@ public:
       value += m_goal_weight * squared_length(offset);
       gradient[0] += 2. * m_goal_weight * dot(offset, t1);
       gradient[1] += 2. * m_goal_weight * dot(offset, t2);
-      // > 0 a quarter turn away
+      // The lower bound keeps it positive at a quarter turn and beyond.
       const FT curvature = 2. * m_goal_weight * maximum(dot(m_center, m_goal), FT(0.1));
       hessian[0] += curvature;
       hessian[2] += curvature;
@@ -202,7 +202,7 @@ public:
       const Vector_3<FT> e1 = center - f.q, e2 = f.p - center;
       const FT volume = dot(center, f.normal);
       is_valid = is_valid && (is_safely_positive(volume, squared_length(e1) + squared_length(e2)) || f.padding > 0.);
-      if constexpr(Lanes<FT>::width == 1) // in lanes, to look costs more than to go on
+      if constexpr(Lanes<FT>::width == 1) // with several lanes, the test costs more than it saves
         if(!is_valid)
           return infinite;
       const auto location = m_metric.locate(center + f.p + f.q, m_level);
@@ -226,17 +226,17 @@ public:
   FT at(const Vector_3<FT>& q) const
   {
     const Vector_3<FT> offset = m_frame.offset_of(q);
-    // The coordinates of the other half are the same.
+    // Points of the opposite hemisphere have the same coordinates.
     return select(dot(q, m_center) > 0., (*this)(offset[0], offset[1]), FT(std::numeric_limits<double>::infinity()));
   }
 
-  // Keeps the lanes that are not open where they are, so that no step is looked for.
+  // Sets the gradient to zero in lanes that are not open, so that these vertices do not move.
   void set_open(const std::array<bool, Lanes<FT>::width>& is_open)
   {
     m_is_open = Lanes<FT>::generate([&](std::size_t k) { return is_open[k] ? 1. : 0.; });
   }
 
-  // A goal, which counts where the weight is above 0.
+  // Sets a goal, which is active where the weight is positive.
   void set_goal(const Vector_3<FT>& goal, const FT& weight)
   {
     m_has_goal = true;
@@ -244,8 +244,8 @@ public:
     m_goal_weight = weight;
   }
 
-  // The features of the second surface, and their values at the vertex, a row of the image, which count where the weight is above 0;
-  // all have to last as long as the star.
+  // Sets the features of the second surface, and their values at the vertex, a row of the image. They are active where the weight is
+  // positive. All arguments must outlive the star.
   void set_features(const Sphere_image* features, const Values& values, const FT& weight)
   {
     m_features = features;
@@ -256,14 +256,14 @@ public:
   Vector_3<FT> point_at(const FT& x, const FT& y) const { return m_frame.point_at(x, y); }
 
 private:
-  static constexpr double max_squared_step = 0.75; // as Star_energy has it
+  static constexpr double max_squared_step = 0.75; // the same as in Star_energy
 
   struct Face
   {
     Vector_3<FT> p, q, normal;  // the other two corners, and their cross product
     std::array<FT, 3> opposite; // see Rest_triangle
     FT inverse_doubled_area, doubled_area;
-    FT padding; // 1 beyond the end of the star, where d is 1
+    FT padding; // 1 beyond the end of the star, where d is set to 1
   };
 
   const Target_metric& m_metric;
@@ -273,7 +273,7 @@ private:
   Basic_tangent_frame<FT> m_frame = Basic_tangent_frame<FT>({FT(0.), FT(0.), FT(1.)});
   FT m_squared_shortest_edge = 0.;
   std::vector<Face> m_faces;
-  FT m_is_open = 1.; // or 0, a factor of the gradient
+  FT m_is_open = 1.; // 1 or 0, a factor of the gradient
   bool m_has_goal = false;
   Vector_3<FT> m_goal = {FT(0.), FT(0.), FT(1.)};
   FT m_goal_weight = 0.;

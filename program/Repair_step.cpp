@@ -1,4 +1,4 @@
-#include "Surface_repair.h"
+#include "Repair_step.h"
 
 #include <CGAL/Spherical_parameterization/internal/files/Soup_defect.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Neighbors = std::vector<std::vector<std::size_t>>;
 
-// Gives numbers that are not known those of their neighbors, the nearest first: one of them, or their mean.
+// Replaces unknown values by those of neighbours, the nearest first: by one of them, or by their mean.
 void spread(const std::vector<std::size_t>& sources, const Neighbors& neighbors, bool averages,
             std::vector<double>& values)
 {
@@ -25,7 +25,7 @@ void spread(const std::vector<std::size_t>& sources, const Neighbors& neighbors,
     order.push_back(i);
   };
   for(std::size_t i = 0; i < values.size(); ++i)
-    is_known[i] = is_reached[i] = sources[i] != Surface_repair::none;
+    is_known[i] = is_reached[i] = sources[i] != Repair_step::none;
   for(std::size_t i = 0; i < values.size(); ++i)
     if(!is_known[i] &&
        std::any_of(neighbors[i].begin(), neighbors[i].end(), [&](std::size_t j) { return is_known[j]; }))
@@ -63,8 +63,8 @@ Neighbors neighbors_of_vertices(const std::vector<std::size_t>& sources, const s
   Neighbors result(sources.size());
   for(const Polygon& triangle : triangles)
     SP::internal::for_each_side(triangle,
-                                [&](std::size_t v, std::size_t w) { // each edge of a closed surface, both ways
-                                  if(sources[v] == Surface_repair::none)
+                                [&](std::size_t v, std::size_t w) { // each edge of a closed surface in both directions
+                                  if(sources[v] == Repair_step::none)
                                     result[v].push_back(w);
                                 });
   return result;
@@ -82,28 +82,28 @@ Neighbors neighbors_of_faces(const std::vector<std::size_t>& sources, const std:
   Neighbors result(sources.size());
   for(std::size_t k = 0; k + 1 < sides.size(); k += 2)
     for(const auto& [f, g] : {std::pair(sides[k][2], sides[k + 1][2]), std::pair(sides[k + 1][2], sides[k][2])})
-      if(sources[f] == Surface_repair::none)
+      if(sources[f] == Repair_step::none)
         result[f].push_back(g);
   return result;
 }
 
-std::vector<double> carried(const std::vector<double>& numbers, const std::vector<std::size_t>& sources)
+std::vector<double> transferred(const std::vector<double>& numbers, const std::vector<std::size_t>& sources)
 {
   std::vector<double> result;
   result.reserve(sources.size());
   for(const std::size_t source : sources)
-    result.push_back(source == Surface_repair::none ? 0. : numbers[source]);
+    result.push_back(source == Repair_step::none ? 0. : numbers[source]);
   return result;
 }
 
-std::string percent(double share)
+std::string percent(double fraction)
 {
-  return fixed_text(100. * share, 2) + " %";
+  return fixed_text(100. * fraction, 2) + " %";
 }
 
 } // namespace
 
-Surface_repair::Surface_repair(const Repair_settings& settings, File_content& surface)
+Repair_step::Repair_step(const Repair_settings& settings, File_content& surface)
 {
   if(settings.alpha > 0.)
   {
@@ -130,11 +130,11 @@ Surface_repair::Surface_repair(const Repair_settings& settings, File_content& su
     else if(error == SP::ERROR_NO_TOPOLOGICAL_SPHERE)
       option = "A larger --max-handle";
     if(!option.empty())
-      advice =
-          "\n" + option + " allows that; " +
-          (is_wrapped() ? "a larger ALPHA closes wider gaps." : "--wrap ALPHA closes gaps by a new surface around it.");
+      advice = "\n" + option + " permits this; " +
+               (is_wrapped() ? "a larger ALPHA closes wider gaps."
+                             : "--wrap ALPHA closes gaps with a new surface around it.");
     throw Program_error(m_report.message, ".", advice, "\n(Vertices and faces ",
-                        is_wrapped() ? "are those of the wrapping, and " : "", "are counted from 0.)");
+                        is_wrapped() ? "belong to the wrapping, and " : "", "are counted from 0.)");
   }
   m_file.points = std::move(surface.points);
   m_file.polygons = std::move(surface.polygons);
@@ -146,11 +146,11 @@ Surface_repair::Surface_repair(const Repair_settings& settings, File_content& su
     surface.polygons[f].assign(repaired.triangles[f].begin(), repaired.triangles[f].end());
 }
 
-Words Surface_repair::descriptions() const
+Words Repair_step::descriptions() const
 {
   Words result;
   if(is_wrapped())
-    result.push_back(joined("wrapped by ", m_number_of_wrapping_faces, " faces, all of which are new"));
+    result.push_back(joined("wrapped: ", m_number_of_wrapping_faces, " faces, all of them new"));
   const SP::Repair_report& r = m_report;
   const auto add = [&](const SP::Repair_count& count, const char* one, const char* many, const char* at) {
     if(count.number > 0)
@@ -159,16 +159,15 @@ Words Surface_repair::descriptions() const
   };
   add(r.triangulated_polygons, "polygon triangulated", "polygons triangulated", "face");
   add(r.degenerate_faces, "degenerate face removed", "degenerate faces removed", "face");
-  add(r.repeated_faces, "repeated face removed", "repeated faces removed", "face");
+  add(r.repeated_faces, "duplicate face removed", "duplicate faces removed", "face");
   add(r.merged_vertices, "vertex merged with another one", "vertices merged with others", "vertex");
   add(r.reversed_faces, "face reversed", "faces reversed", "face");
-  add(r.non_manifold_edges, "edge with more than two faces divided", "edges with more than two faces divided",
+  add(r.non_manifold_edges, "edge with more than two faces separated", "edges with more than two faces separated",
       "at vertex");
-  add(r.divided_vertices, "vertex divided where fans of faces met", "vertices divided where fans of faces met",
-      "vertex");
+  add(r.divided_vertices, "non-manifold vertex divided", "non-manifold vertices divided", "vertex");
   if(r.removed_faces.number > 0)
-    result.push_back(joined("the largest of ", r.number_of_components,
-                            " components kept; faces of the others: ", r.removed_faces.number));
+    result.push_back(joined("the largest of ", r.number_of_components, " components kept; the others had ",
+                            r.removed_faces.number, " faces"));
   const auto n_holes = std::count_if(r.patches.begin(), r.patches.end(), [](const auto& p) { return !p.is_of_handle; });
   if(n_holes > 0)
     result.push_back(joined(n_holes, n_holes == 1 ? " hole filled" : " holes filled"));
@@ -179,49 +178,48 @@ Words Surface_repair::descriptions() const
     constexpr std::size_t max_listed = 5;
     std::vector<SP::Repair_patch> patches = r.patches;
     std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
-    std::string text = percent(r.added_area) + " of the area is new:";
+    std::string text = "patches cover " + percent(r.added_area) + " of the area:";
     for(std::size_t k = 0; k < patches.size() && k < max_listed; ++k)
       text +=
           joined(k == 0 ? " " : ", ", percent(patches[k].share), patches[k].is_of_handle ? " at a cut" : " in a hole",
                  " of ", patches[k].number_of_edges, " edges at vertex ", patches[k].vertex);
-    result.push_back(text +
-                     (patches.size() > max_listed ? joined(", less in ", patches.size() - max_listed, " more") : ""));
+    result.push_back(
+        text + (patches.size() > max_listed ? joined(", and ", patches.size() - max_listed, " smaller patches") : ""));
   }
-  add(r.split_edges, "edge split of several that joined the same vertices",
-      "edges split of several that joined the same vertices", "at vertex");
+  add(r.split_edges, "duplicate edge split", "duplicate edges split", "at vertex");
   if(result.empty())
-    result.push_back("nothing, as nothing was wrong");
+    result.push_back("nothing, because the surface has no defects");
   return result;
 }
 
-std::size_t Surface_repair::vertex_of(std::size_t vertex_of_file) const
+std::size_t Repair_step::vertex_of(std::size_t vertex_of_file) const
 {
   const auto found = std::find(m_vertices.begin(), m_vertices.end(), vertex_of_file);
   return found == m_vertices.end() ? none : static_cast<std::size_t>(found - m_vertices.begin());
 }
 
-void Surface_repair::carry(File_content& values, const std::vector<Polygon>& triangles) const
+void Repair_step::transfer(File_content& values, const std::vector<Polygon>& triangles) const
 {
-  const auto carry_all = [&](std::vector<Values>& all, std::size_t size, const std::vector<std::size_t>& sources,
-                             const auto& find_neighbors) {
+  const auto transfer_all = [&](std::vector<Values>& all, std::size_t size, const std::vector<std::size_t>& sources,
+                                const auto& find_neighbors) {
     const auto is_of_file = [&](const Values& one) { return one.numbers.size() == size; };
     if(all.empty() || !std::all_of(all.begin(), all.end(), is_of_file))
       return;
     const Neighbors neighbors = find_neighbors(sources, triangles);
     for(Values& one : all)
     {
-      one.numbers = Program::carried(one.numbers, sources);
+      one.numbers = Program::transferred(one.numbers, sources);
       spread(sources, neighbors, one.has_fractions(), one.numbers);
     }
   };
   if(!has_changed_surface())
     return;
-  carry_all(values.values_of_vertices, m_file.points.size(), m_vertices, neighbors_of_vertices);
-  carry_all(values.values_of_faces, m_file.polygons.size(), m_faces, neighbors_of_faces);
+  transfer_all(values.values_of_vertices, m_file.points.size(), m_vertices, neighbors_of_vertices);
+  transfer_all(values.values_of_faces, m_file.polygons.size(), m_faces, neighbors_of_faces);
 }
 
-std::vector<Point_3> Surface_repair::carried(const std::vector<Point_3>& points,
-                                             const std::vector<Polygon>& triangles) const
+std::vector<Point_3> Repair_step::transferred(const std::vector<Point_3>& points,
+                                              const std::vector<Polygon>& triangles) const
 {
   File_content coordinates;
   for(int k = 0; k < 3; ++k)
@@ -230,7 +228,7 @@ std::vector<Point_3> Surface_repair::carried(const std::vector<Point_3>& points,
     for(const Point_3& p : points)
       coordinates.values_of_vertices.back().numbers.push_back(p[k]);
   }
-  carry(coordinates, triangles);
+  transfer(coordinates, triangles);
   const auto& [x, y, z] = std::tie(coordinates.values_of_vertices[0].numbers, coordinates.values_of_vertices[1].numbers,
                                    coordinates.values_of_vertices[2].numbers);
   std::vector<Point_3> result;
