@@ -86,7 +86,7 @@ for file in "${build_scripts[@]}"; do
   grep -qE "^project\(${package}_$suffix *\)" "$file" || echo "$file" | report "the project is not ${package}_$suffix"
   [[ $(grep -vE '^ *(#|$)' "$file" | head -n 1) == cmake_minimum_required* ]] ||
     echo "$file" | report "the first instruction is not cmake_minimum_required"
-  # the spelling that tells CGAL's check that no list of programs is to be read
+  # the spelling by which CGAL's check knows that there is no list of programs to read
   grep -q 'GLOB cppfiles' "$file" || echo "$file" | report "the programs are not taken by 'file(GLOB cppfiles'"
 done
 

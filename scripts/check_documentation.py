@@ -2,7 +2,7 @@
 """Usage: check_documentation.py XML
 
 Checks that the reference manual says of everything in the public headers what a reader of CGAL's manuals expects. XML is what
-doxygen writes with EXTRACT_ALL, the undocumented included. Doxygen's own warnings tell of what is written wrongly; this is about
+doxygen writes with EXTRACT_ALL, the undocumented included. Doxygen itself warns of wrong syntax; this is about
 what is missing. Prints what is wrong, and fails if anything is.
 
 - Every public header has a documented symbol in a group, and the convenience header of its part includes it, unless it needs a
@@ -11,7 +11,7 @@ what is missing. Prints what is wrong, and fails if anything is.
   and that of a function starts with a verb in the lower case, as in "returns".
 - Every parameter of a function is described, or at least named in its description; so are its template parameters, and what it
   returns. Functions of the same name, such as the overloads and what the models of a concept have, may share their descriptions.
-- The named parameters that the functions of a name read, as the sources of the package tell, are those in their tables, each with a
+- The named parameters that the functions of a name read, according to the sources of the package, are those in their tables, each with a
   description, a type and a default.
 - Every concept names its models, and every model its concepts.
 - The classified list of the package has every class, concept, function and enumeration, with a link.
@@ -345,7 +345,7 @@ def check_rooms():
     described = {room: set(re.findall(r"`(\w+/)`", others)) for room, others in rows}
     parts = {f"{part}/" for part in PARTS}
     for room in sorted({room for room in included if room.endswith("/")} | set(described)):
-        # what stands on all rooms of the core is not told of parts
+        # what stands on all rooms of the core is not repeated for parts
         others = {other for other in included[room] if other.endswith("/") and (room not in parts or other in parts)}
         if others != described.get(room):
             complain(CONTRIBUTING.name, f"{room} includes files of {others}, not of {described.get(room)}")

@@ -2,8 +2,8 @@
 # Usage: scripts/check_style.sh
 #
 # Checks the layout of all C++ files (clang-format 14, whose output differs from that of other versions), the first
-# lines and the include guard of every header, that what the package computes depends on neither the compiler nor the standard
-# library, and the blanks of every text file. Prints what is wrong; changes nothing.
+# lines and the include guard of every header, that results depend on neither the compiler nor the standard library, and the
+# words, the spelling (codespell) and the blanks of every text file. Prints what is wrong; changes nothing.
 
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -67,6 +67,20 @@ inexact='std::(fma|inner_product|a?(cos|sin|tan)h?|atan2|exp2?|expm1|log|log2|lo
 mapfile -t computing < <(printf '%s\n' "${sources[@]}" | grep -E '^(include|program|src|python)/')
 if grep -nE "^([^/]|/[^/])*$inexact" "${computing[@]}"; then
   report "The lines above call what is not the same on every machine: see internal/numbers/elementary_functions.h."
+fi
+
+# One word for one thing: to report or to state; sulcus and gyrus; hole patch; small components; double precision; integer; instead of.
+words='tells?|told|furrows?|fillers?|crumbs?|numbers of (32|64) bits|whole numbers?|in the place of'
+mapfile -t texts < <(printf '%s\n' "${files[@]}" | grep -vE '^scripts/check_style.sh|^LICENSE|bibliography|package-lock|\.(tag|jpg|png|off)$')
+if grep -nwIiE "$words" "${texts[@]}"; then
+  report "The lines above have words that have a better one: see scripts/check_style.sh."
+fi
+if command -v codespell >/dev/null; then
+  codespell --quiet-level 3 --ignore-words-list summar,lod,parm,fo,ordner "${texts[@]}" || report "The lines above have misspelled words."
+elif [ -n "${CI-}" ]; then
+  report "codespell is not installed."
+else
+  echo "codespell is not installed: the spelling remains unchecked."
 fi
 
 # -I leaves out binary files; rules of make begin with a tab.

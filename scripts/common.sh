@@ -13,7 +13,7 @@ fail() {
 }
 
 # run_stage NAME COMMAND...: prints NAME and how many seconds COMMAND has taken in one line and keeps what it prints in
-# build/logs; shows its end on failure, and last of all the lines that tell what has failed.
+# build/logs; shows its end on failure, and last of all the lines of what has failed.
 run_stage() {
   local name=$1 log=$build/logs/${1// /_}.log start=$SECONDS status=0
   shift

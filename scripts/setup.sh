@@ -20,14 +20,14 @@ if [ "${1-}" = --packages ]; then
   packages+=(patchelf binutils mmdebstrap buildah)
   wanted+=", what builds Debian packages with Python, patchelf, mmdebstrap, buildah, and Python with its headers, numpy, nibabel, pip and pybind11"
 elif [ $# -gt 0 ]; then
-  packages+=(git locales libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14)
+  packages+=(git locales libgtest-dev libbenchmark-dev clang libclang-rt-dev llvm clang-format-14 codespell)
   packages+=(python3-numpy python3-matplotlib python3-nibabel)
   packages+=(pybind11-dev python3-dev python3-pytest python3-pip python3-venv python3-setuptools python3-wheel)
   packages+=(g++-aarch64-linux-gnu g++-mingw-w64-x86-64-posix qemu-user-static wine64)
-  packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax linkchecker chromium-headless-shell)
+  packages+=(doxygen texlive-binaries libjs-mathjax fonts-mathjax python3-sphinx python3-numpydoc linkchecker chromium-headless-shell)
   components+=(GTest benchmark)
   wanted="a C++17 compiler, CMake 3.18, CGAL 5.5, CLI11, TBB, Eigen, libpng, OpenEXR 3, expat, zlib, Node.js 18, npm, GoogleTest, Google Benchmark, Clang"
-  wanted+=" with its sanitizers, clang-format 14, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, LinkChecker and Chromium; g++ for AArch64, MinGW-w64 with POSIX threads, QEMU and Wine"
+  wanted+=" with its sanitizers, clang-format 14, codespell, Python with its headers, numpy, matplotlib, nibabel, pybind11, pytest and pip, doxygen 1.9.4, BibTeX, Sphinx, numpydoc, LinkChecker and Chromium; g++ for AArch64, MinGW-w64 with POSIX threads, QEMU and Wine"
 fi
 if [ "${1-}" = --long-tests ]; then
   packages+=(parallel slurm-wlm munge jq snakemake connectome-workbench)

@@ -41,6 +41,7 @@ run_stage "build everything" cmake --build "$build" -j "$jobs"
 finish_background
 "$root/scripts/test_platforms.sh" --short
 run_stage "test" ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs"
+run_stage "compare the quoted outputs" python3 "$root/scripts/check_outputs.py"
 in_background manual "$root/scripts/check_documentation.sh"
 in_background tree "$root/scripts/test_in_cgal_tree.sh" --only simple_spherical_parameterization
 "$root/scripts/test_sanitizers.sh" thread

@@ -149,7 +149,7 @@ run_array() (
   expect_same_spheres
   expect grep -l "failed 1" spheres_*.log
 
-  # A job that is told to end, as before its time is up, leaves whole files; the next array maps what is missing.
+  # A job that gets a signal to end, as before its time is up, leaves whole files; the next array maps what is missing.
   rm -r spheres spheres_*.log
   for k in {1..50}; do
     cp meshes/blobby*.off "meshes/$k.off"
@@ -209,7 +209,7 @@ run_array_of_subjects() (
   expect [ "$(find out -name '*_desc-reg_sphere.surf.gii' | wc -l)" = 4 ]
   run_printed 0 "sbatch --array"
   wait_for_jobs
-  expect grep -q "left out" slurm-*.out
+  expect grep -q "skipped" slurm-*.out
 )
 
 run_workflow() (

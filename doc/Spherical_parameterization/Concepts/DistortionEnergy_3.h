@@ -2,17 +2,17 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `DistortionEnergy_3` describes the energy of the map of one face, a function of the two invariants
-\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of its singular values \f$ \sigma_1 \leq \sigma_2 \f$.
+The concept `DistortionEnergy_3` describes the distortion energy of a face, a function of the two invariants
+\f$ I = \sigma_1^2 + \sigma_2^2 \f$ and \f$ d = \sigma_1 \sigma_2 \f$ of the singular values \f$ \sigma_1 \leq \sigma_2 \f$ of its
+map.
 
-The energy must not be negative, has to be smooth for positive arguments, grow beyond all bounds as \f$ d \f$ goes to 0 (this keeps
-faces from being inverted), and be convex along lines in the plane, at least near its minimum. It is called by several threads at
-once.
+The energy must be non-negative and smooth for positive arguments. It must go to infinity as \f$ d \f$ goes to 0, which prevents
+inverted faces. It must be convex along lines in the plane, at least near its minimum. Several threads call it concurrently.
 
-Both operations are written either for `double` or as templates over the number type, as here. The map is the same to the last bit
-either way. Vertices are moved several at once, in the lanes of vector registers, and templates are then called with a number per
-lane, functions of `double` for one lane after the other. A template has to compile for any type `FT` that can be constructed from a
-`double` and has a sign and the four operations of arithmetic with itself and with `double`; that excludes branches and the functions
+Both operations are either functions of `double`, or templates over the number type as below. The map is bitwise identical in both
+cases. Several vertices are moved at once by vector instructions. Templates are then called with packs of numbers, one per lane;
+functions of `double` are called for each lane in turn. A template must compile for any type `FT` that is constructible from
+`double` and has a sign and the four arithmetic operations with itself and with `double`. This excludes branches and the functions
 of `<cmath>`.
 
 \cgalRefines{CopyConstructible}
@@ -39,8 +39,8 @@ public:
   template <class FT>
   FT operator()(const FT& i, const FT& d) const;
 
-  /// returns the energy of a face whose map has the invariants `i` and `d`, both positive, with its first and second derivatives in
-  /// them.
+  /// returns the energy of a face whose map has the invariants `i` and `d`, both positive, and its first and second
+  /// derivatives in the invariants.
   ///
   /// \tparam FT the number type, see above
   template <class FT>
@@ -49,22 +49,24 @@ public:
   /// @}
 
   /// \name Optional Members
-  /// A model need not have these.
+  /// These members are optional.
   /// @{
 
-  /// If it is `true`, faces count by their areas on the surface: all sums and means over them have these as weights, also those of
-  /// the report. If not, or without it, each face counts the same.
+  /// If this is `true`, faces are weighted by their areas on the surface, in all sums and means, including those of the
+  /// report. If it is `false` or missing, all faces have the same weight.
   static constexpr bool weighs_faces_by_area = false;
 
-  /// If it is `true`, the surface is stretched before it is mapped: areas are multiplied by a density, larger where the surface is
-  /// curved, and angles stay as they are. If not, or without it, faces have the areas of the surface.
+  /// If this is `true`, the surface is stretched before it is mapped: areas are multiplied by a density that grows with
+  /// the curvature, and angles are preserved. If it is `false` or missing, faces have the areas of the surface.
   static constexpr bool follows_curvature = false;
 
-  /// returns whether the parameters of the energy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.
+  /// returns whether the parameters of the energy are in their ranges. If not, a parameterizer returns
+  /// `ERROR_WRONG_PARAMETER`.
   bool is_valid() const;
 
-  /// returns the factor by which the radius has to be multiplied to minimise the sum of the energies of `faces`, for energies that
-  /// have a closed form of it. Without it, `CGAL::Spherical_parameterization::Optimal_radius_3` finds the factor by Newton's method.
+  /// returns the factor that minimizes the sum of the energies of `faces` when the radius is multiplied by it, for
+  /// energies for which it has a closed form. If this member is missing,
+  /// `CGAL::Spherical_parameterization::Optimal_radius_3` computes the factor by Newton's method.
   double optimal_scale(const CGAL::Spherical_parameterization::Face_range_3& faces) const;
 
   /// @}

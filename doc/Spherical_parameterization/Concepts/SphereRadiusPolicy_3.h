@@ -2,15 +2,15 @@
 \ingroup PkgSphericalParameterizationConcepts
 \cgalConcept
 
-The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen where it is not left to the objective, as
-`CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3` does by default. A policy may take the radius in another
-direction than the vertices, so that the objective may rise from sweep to sweep.
+The concept `SphereRadiusPolicy_3` describes how the radius of the sphere is chosen. Without a policy, as by default in
+`CGAL::Spherical_parameterization::Bijective_low_distortion_parameterizer_3`, the radius is a variable of the objective. A policy
+may choose a radius that increases the objective, so that the objective is not monotonic over the sweeps.
 
-The policy is called before each sweep over the mesh, and once more after the last one. The first and the last time the radius
-becomes what it returns, otherwise it goes half the way, in the sense of the geometric mean (all the way in
-`CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3`); a value that is not positive and finite is ignored. On
-the coarse levels of a hierarchy, `CGAL::Spherical_parameterization::Optimal_radius_3` is in use. A policy may have mutable state:
-each run works on a copy of the one that the parameterizer was given.
+The policy is called before each sweep over the mesh, and once more after the last one. At the first and the last call, its result
+becomes the radius. At all other calls, the new radius is the geometric mean of the old radius and the result, or the result itself
+in `CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3`. A result that is not positive and finite is
+ignored. The coarse levels of a hierarchy use `CGAL::Spherical_parameterization::Optimal_radius_3` instead. A policy may have
+mutable state: each run works on a copy of the policy that was passed to the parameterizer.
 
 \cgalRefines{CopyConstructible}
 
@@ -30,9 +30,10 @@ public:
   /// \name Operations
   /// @{
 
-  /// returns the radius to start with, in the unit of length of the surface.
+  /// returns the initial radius, in the unit of length of the surface.
   ///
-  /// \param equal_area_radius the radius of the sphere which has the area of the surface, eq. 10 of \cgalCite{cgal:whfl-bspld-16}
+  /// \param equal_area_radius the radius of the sphere that has the area of the surface, eq. 10 of
+  ///        \cgalCite{cgal:whfl-bspld-16}
   double initial_radius(double equal_area_radius) const;
 
   /// returns the radius that follows `radius`.
@@ -40,7 +41,7 @@ public:
   /// \tparam Energy a model of `DistortionEnergy_3`
   ///
   /// \param energy the energy in use
-  /// \param faces the faces, as they are on the sphere of radius `radius`
+  /// \param faces the faces, mapped to the sphere of radius `radius`
   /// \param radius the current radius in the unit of length of the surface
   template <class Energy>
   double operator()(const Energy& energy, const CGAL::Spherical_parameterization::Face_range_3& faces, double radius);
@@ -48,12 +49,13 @@ public:
   /// @}
 
   /// \name Optional Members
-  /// A model need not have these.
+  /// These members are optional.
   /// @{
 
   /// starts the next phase of the policy and returns whether there is one. It is called when energy and radius have
-  /// settled, and as often as it returns `true`, at most 1000 times, before the last radius is asked for, which is that of
-  /// the last phase. It is not called after it has returned `false`. Without it, the policy has one phase.
+  /// converged, repeatedly until it returns `false`, at most 1000 times, before the final radius is requested, which is
+  /// that of the last phase. It is not called again after it has returned `false`. If this member is missing, the
+  /// policy has one phase.
   bool next_phase();
 
   /// returns whether the parameters of the policy are in their ranges. If not, a parameterizer returns `ERROR_WRONG_PARAMETER`.

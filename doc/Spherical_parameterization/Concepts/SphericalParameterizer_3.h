@@ -4,8 +4,8 @@
 
 The concept `SphericalParameterizer_3` describes a method that maps a closed triangle mesh of genus 0 to a sphere around the origin.
 
-As any one-to-one map can start a method that improves one, an initial parameterizer is a model of the same concept. Then it is
-called with the named parameters `vertex_point_map` and `visitor`, and what it has written is certified before it is used.
+Initial parameterizers are models of the same concept, since any bijective map can start a method that improves it. An initial
+parameterizer is called with the named parameters `vertex_point_map` and `visitor`, and its result is certified before it is used.
 
 \cgalRefines{CopyConstructible}
 
@@ -30,8 +30,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// computes the map. The object may change, for example to report later what it did, so simultaneous calls need objects of their
-  /// own.
+  /// computes the map. The object may change, for example to report later on the run, so concurrent calls need separate
+  /// objects.
   ///
   /// \tparam ConcurrencyTag one of `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, and `CGAL::Parallel_if_available_tag`
   /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -42,10 +42,11 @@ public:
   ///
   /// \param tmesh the mesh
   /// \param vertex_sphere_map the map to be written
-  /// \param np named parameters; what is not of use is to be ignored
+  /// \param np named parameters; parameters that do not apply are ignored
   ///
-  /// \return `OK` only if the map that was written is one-to-one, and `ERROR_NO_1_TO_1_MAPPING` if it is not; with all other values
-  ///         the map is as it was, unless it holds other values than it was given, and folds by that
+  /// \return `OK` only if the map that was written is bijective; `ERROR_NO_1_TO_1_MAPPING` if it was written and is not
+  ///         bijective. With all other values, the map is unchanged, unless it rounded the written values and this
+  ///         inverted faces.
   template <class ConcurrencyTag, class TriangleMesh, class VertexSphereMap, class NamedParameters>
   CGAL::Spherical_parameterization::Error_code parameterize(const TriangleMesh& tmesh,
                                                             VertexSphereMap vertex_sphere_map,
@@ -54,11 +55,11 @@ public:
   /// @}
 
   /// \name Optional Members
-  /// A model need not have these.
+  /// These members are optional.
   /// @{
 
-  /// returns whether the parameters of the method are in their ranges. If not, a parameterizer that would start from its map
-  /// returns `ERROR_WRONG_PARAMETER`.
+  /// returns whether the parameters of the method are in their ranges. If not, a parameterizer that would start from
+  /// its map returns `ERROR_WRONG_PARAMETER`.
   bool is_valid() const;
 
   /// @}
