@@ -96,7 +96,9 @@ const Options_list hint_outputs = {
 Options_list own_options(const std::string& command)
 {
   if(command == "map")
-    return {{"-o,--output", "SPHERE", "write the faces of SURFACE with the images of its vertices"}};
+    return {{"-o,--output", "SPHERE", "write the faces of SURFACE with the images of its vertices"},
+            {"--texture", "FILE.obj",
+             "write SURFACE with longitude and latitude as texture coordinates; the y-axis points north"}};
   if(command == "match" || command == "register")
   {
     const bool is_match = command == "match";
@@ -108,7 +110,9 @@ Options_list own_options(const std::string& command)
                                    : "write the sphere of SURFACE before registration"}};
     append(list, "", hint_outputs);
     if(is_match)
-      append(list, "", {{"--morph", "T FILE", "write the morph from SURFACE (T = 0) to TARGET (T = 1) at time T"}});
+      append(list, "",
+             {{"--morph", "T FILE",
+               "write the morph from SURFACE (T = 0) to TARGET (T = 1) at time T; TARGET is aligned to SURFACE"}});
     append(list, "Alignment", hint_options);
     if(is_match)
       append(list, "Alignment",

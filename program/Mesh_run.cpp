@@ -133,6 +133,8 @@ bool Mesh_run::show_handles()
 
 void Mesh_run::sample()
 {
+  if(!m_names.texture.empty())
+    check_map("it has no texture coordinates");
   if(m_options.domain.empty() && m_options.image_size == 0)
     return;
   const double start = seconds_now();
@@ -261,6 +263,7 @@ void Mesh_run::write_surfaces()
   m_files.write(m_names.overlay, [&](Out out) { m_match->write_overlay(out); });
   m_files.write(m_names.image, [&](Out out) { m_image->write_image(out, m_names.image, false); });
   m_files.write(m_names.image_of_normals(), [&](Out out) { m_image->write_image(out, m_names.image, true); });
+  m_files.write(m_names.texture, [&](Out out) { m_report.texture_warning = write_texture(out, *m_input, m_sphere); });
 }
 
 void Mesh_run::write_page_of(Page page)

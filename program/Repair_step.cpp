@@ -183,8 +183,9 @@ Words Repair_step::descriptions() const
       text +=
           joined(k == 0 ? " " : ", ", percent(patches[k].share), patches[k].is_of_handle ? " at a cut" : " in a hole",
                  " of ", patches[k].number_of_edges, " edges at vertex ", patches[k].vertex);
-    result.push_back(
-        text + (patches.size() > max_listed ? joined(", and ", patches.size() - max_listed, " smaller patches") : ""));
+    if(const std::size_t n = patches.size(); n > max_listed)
+      text += joined(", and ", n - max_listed, n == max_listed + 1 ? " smaller patch" : " smaller patches");
+    result.push_back(text);
   }
   add(r.split_edges, "duplicate edge split", "duplicate edges split", "at vertex");
   if(result.empty())

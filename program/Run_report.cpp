@@ -136,7 +136,7 @@ void Run_report::print(std::ostream& out) const
   print_line(out, "D_angle", distortion.angle);
   if(balanced)
   {
-    out << "with the radius " << fixed_text(balanced->radius, 10, false) << " of balanced areas (eq. 11):\n";
+    out << "with the radius " << fixed_text(balanced->radius, 10, false) << ", which balances areas:\n";
     print_line(out, "D_iso  ", balanced->isometric);
     print_line(out, "D_area ", balanced->area);
   }
@@ -144,8 +144,9 @@ void Run_report::print(std::ostream& out) const
     print_areas(out);
   out << distortion.number_of_inverted_faces << " inverted faces, " << distortion.number_of_degenerate_faces
       << " degenerate faces"
-      << (distortion.number_of_degenerate_faces > 0 ? ", which are excluded from the statistics" : "") << "\n\n"
-      << verdict() << '\n';
+      << (distortion.number_of_degenerate_faces > 0 ? ", which are excluded from the statistics" : "") << "\n\n";
+  if(!match || !result.is_one_to_one) // the map between surfaces has its own certificate
+    out << verdict() << '\n';
   if(remesh)
     print_remesh(out, *remesh);
   if(match)
@@ -173,7 +174,7 @@ std::string Run_report::warnings() const
                     ? printable(m_input) + ": hole patches are more than half of the mapped area, so that they "
                                            "determine most of the map\n"
                     : "",
-                others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "", others);
+                others.find(mixed_hemispheres) == others.npos ? mixed_hemispheres : "", others, texture_warning);
 }
 
 std::string Run_report::explain_fault() const
@@ -203,7 +204,9 @@ void Run_report::print_match(std::ostream& out) const
   const std::size_t n_landmarks = report.landmark_distances.size();
   if(n_landmarks == 0 || report.agreement != 0.)
     out << "features, agreement " << number(report.agreement) << ", margin " << number(report.margin)
-        << (report.expected_error ? ", expected error " + number(*report.expected_error) : "")
+        << (report.expected_error
+                ? ", expected error " + number(*report.expected_error) + " of the square root of the area"
+                : "")
         << (report.is_uncertain ? " (ambiguous: check the map)" : "");
   else
     out << "landmarks";

@@ -98,6 +98,7 @@ public:
   const Repair_step* repair = nullptr;     ///< null if no repair was requested
   std::optional<Remesh_figures> remesh;
   std::optional<Match_figures> match;
+  std::string texture_warning; ///< one line; empty if there is none
   /// the distortions with the darkest and the lightest color, if colors were written
   std::optional<std::array<double, 2>> color_range;
 

@@ -8,19 +8,109 @@
 #include <CGAL/Spherical_parameterization/Surface_maps/map_surface.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/measure_distortion_between.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/overlay.h>
+#include <CGAL/Spherical_parameterization/internal/numbers/Rotation_matrix.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/io.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace Program {
 
 using Mapper = SP::Surface_mapper_3<Mesh>;
 using Refinement = SP::Surface_refinement_3<Mesh>;
+
+namespace {
+
+using SP::internal::Vector_3d;
+using SP::internal::operator*;
+using SP::internal::operator+;
+using SP::internal::operator-; // of vectors
+
+// The points of one surface as origin + unit * points, where the points have the mean 0 and the mean square 1.
+struct Normalized_points
+{
+  Vector_3d origin;
+  double unit;
+  std::vector<Vector_3d> points;
+
+  // Moves the origin and multiplies the unit; points remain where they are.
+  void change_frame(const Vector_3d& by, double factor)
+  {
+    factor = factor > 0. ? factor : 1.;
+    origin = origin + unit * by;
+    unit *= factor;
+    for(Vector_3d& p : points)
+      for(std::size_t i = 0; i < 3; ++i)
+        p[i] = (p[i] - by[i]) / factor;
+  }
+};
+
+// Returns the points of the second surface, aligned to the first one: the rotation, translation and uniform scale minimize the squared
+// distances of corresponding points, weighted by the mean of the fractions of both areas.
+std::vector<Point_3> aligned_points_of_second(const Overlay& overlay)
+{
+  const std::size_t n = overlay.points.size();
+  std::vector<double> weights(n, 0.);
+  std::array<Normalized_points, 2> sides;
+  for(std::size_t k = 0; k < 2; ++k)
+  {
+    CGAL::Bbox_3 box; // of vertices with faces; squared coordinates may overflow
+    for(const auto& triangle : overlay.triangles)
+      for(const std::uint32_t v : triangle)
+        box += overlay.points[v][k].bbox();
+    sides[k] = {{0., 0., 0.}, 1., {}};
+    for(const auto& pair : overlay.points)
+      sides[k].points.push_back({pair[k].x(), pair[k].y(), pair[k].z()});
+    const auto half = [&](int i, int sign) { return 0.5 * (box.max)(i) + sign * 0.5 * (box.min)(i); };
+    sides[k].change_frame({half(0, 1), half(1, 1), half(2, 1)}, (std::max)({half(0, -1), half(1, -1), half(2, -1)}));
+    std::vector<double> areas;
+    double total = 0.;
+    for(const auto& [a, b, c] : overlay.triangles)
+    {
+      const std::vector<Vector_3d>& p = sides[k].points;
+      areas.push_back(SP::internal::length(SP::internal::cross(p[b] - p[a], p[c] - p[a])));
+      total += areas.back();
+    }
+    for(std::size_t f = 0; f < areas.size(); ++f)
+      for(const std::uint32_t v : overlay.triangles[f])
+        weights[v] += total > 0. ? areas[f] / (6. * total) : 0.;
+  }
+  for(Normalized_points& side : sides)
+  {
+    Vector_3d mean = {0., 0., 0.};
+    for(std::size_t v = 0; v < n; ++v)
+      mean = mean + weights[v] * side.points[v];
+    side.change_frame(mean, 1.);
+    double square = 0.;
+    for(std::size_t v = 0; v < n; ++v)
+      square += weights[v] * SP::internal::squared_length(side.points[v]);
+    side.change_frame({0., 0., 0.}, std::sqrt(square));
+  }
+  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+  for(std::size_t v = 0; v < n; ++v)
+    pairs.emplace_back(static_cast<double>(n) * weights[v] * sides[1].points[v], sides[0].points[v]);
+  const std::optional<SP::internal::Rotation_matrix> rotation = SP::internal::fitting_rotation(pairs);
+  double scale = 0.;
+  for(std::size_t v = 0; v < n && rotation; ++v)
+    scale += weights[v] * SP::internal::dot(sides[0].points[v], SP::internal::rotated(*rotation, sides[1].points[v]));
+  std::vector<Point_3> result;
+  for(const Vector_3d& p : sides[1].points) // without a unique rotation, only position and size are adapted
+  {
+    const Vector_3d q = rotation ? scale * SP::internal::rotated(*rotation, p) : p;
+    const Vector_3d aligned = sides[0].origin + sides[0].unit * q;
+    result.emplace_back(aligned[0], aligned[1], aligned[2]);
+  }
+  return result;
+}
+
+} // namespace
 
 Mapped_mesh::Mapped_mesh(const Options& options, const std::string& name)
   : input(name, read_file_content(name), options.is_onto_atlas ? std::nullopt : options.repair)
@@ -234,9 +324,14 @@ void Surface_match::write_overlay(std::ostream& out) const
 
 void Surface_match::write_morph(std::ostream& out, const std::string& format, double t) const
 {
+  const std::vector<Point_3> aligned = aligned_points_of_second(*m_overlay);
   std::vector<Point_3> points;
-  for(const auto& [p, q] : m_overlay->points)
+  for(std::size_t v = 0; v < aligned.size(); ++v)
+  {
+    const auto& p = m_overlay->points[v][0];
+    const Point_3& q = aligned[v];
     points.emplace_back((1. - t) * p.x() + t * q.x(), (1. - t) * p.y() + t * q.y(), (1. - t) * p.z() + t * q.z());
+  }
   std::vector<Polygon> triangles;
   for(const auto& corners : m_overlay->triangles)
     triangles.emplace_back(corners.begin(), corners.end());

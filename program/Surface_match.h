@@ -70,7 +70,8 @@ public:
   /// second one and the indices of both faces.
   void write_overlay(std::ostream& out) const;
 
-  /// writes the common refinement with vertices interpolated between the first surface (0) and the second one (1).
+  /// writes the common refinement with vertices interpolated between the first surface (0) and the second one (1), aligned to the first
+  /// one by rotation, translation and uniform scale.
   void write_morph(std::ostream& out, const std::string& format, double t) const;
 
 private:

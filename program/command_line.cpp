@@ -69,7 +69,7 @@ bool has_option(const Command& command, const std::string& option)
                                            [&](const Command_option& other) { return "--" + other.name() == option; });
 }
 
-// Reports an option that the command does not have, if it is an option of another command or of an earlier version.
+// Reports a long option that the command does not have: where it is now, which command has it, or the most similar one.
 void check_option(const std::string& word, const Command& command)
 {
   const std::string option = word.substr(0, word.find('='));
@@ -88,6 +88,25 @@ void check_option(const std::string& word, const Command& command)
       others.push_back(other.name);
   if(!others.empty())
     fail_of(command.name, option + " is not an option of " + command.name + ", but of " + list_of(others, " and "));
+  Words names = {"--help"};
+  for(const Command_option& other : options_of(command.name))
+    names.push_back("--" + other.name());
+  const std::string nearest = nearest_of(option, names);
+  fail_of(command.name,
+          "unknown option " + printable(option) + (nearest.empty() ? "" : "; did you mean " + nearest + '?'));
+}
+
+// Reports a first word that is no file but similar to a command.
+void check_first_word(const std::string& word)
+{
+  std::error_code ignored;
+  if(word.compare(0, 1, "-") == 0 || std::filesystem::exists(path_of(word), ignored))
+    return;
+  Words names;
+  for(const Command& command : commands)
+    names.push_back(command.name);
+  if(const std::string nearest = nearest_of(word, names); !nearest.empty())
+    fail_of(nearest, "'" + printable(word) + "' is not a command; did you mean '" + nearest + "'?");
 }
 
 // Appends words to a text whose last line has `column` characters; further lines are indented.
@@ -233,8 +252,8 @@ std::string manual()
 // Parses the words after a command.
 Command_line parse(const Command& command, Words words)
 {
-  for(const std::string& word : words)
-    check_option(word, command);
+  for(auto word = words.begin(); word != words.end() && *word != "--"; ++word) // file names follow
+    check_option(*word, command);
   CLI::App app;
   Command_line line;
   line.command = command.name;
@@ -343,6 +362,7 @@ Command_line parse_command_line(Words words)
     words.erase(words.begin());
   else
   {
+    check_first_word(first);
     const auto is_folder = [](const std::string& word) { return word.compare(0, 15, "--output-folder") == 0; };
     command = find(std::any_of(words.begin(), words.end(), is_folder) ? "batch" : "map");
   }

@@ -75,6 +75,7 @@ Words File_names::outputs() const
           values,
           image,
           image_of_normals(),
+          texture,
           colored_surface(),
           colored_sphere(),
           onto,
@@ -90,9 +91,9 @@ File_names File_names::of_part(std::size_t part) const
 {
   const std::string number = "_" + std::to_string(part + 1);
   File_names result = *this;
-  for(std::string* name :
-      {&result.sphere, &result.handles, &result.repaired, &result.remesh, &result.values, &result.image, &result.page,
-       &result.json, &result.onto, &result.target_sphere, &result.overlay, &result.morph, &result.expected_errors})
+  for(std::string* name : {&result.sphere, &result.handles, &result.repaired, &result.remesh, &result.values,
+                           &result.image, &result.texture, &result.page, &result.json, &result.onto,
+                           &result.target_sphere, &result.overlay, &result.morph, &result.expected_errors})
     if(!name->empty())
       *name = with_suffix(*name, number);
   if(!result.colored.empty())

@@ -61,7 +61,7 @@ std::string with_suffix(const std::string& path, const std::string& suffix);
 struct File_names
 {
   std::string input;
-  std::string sphere, handles, repaired, remesh, values, image, page, json; ///< empty if not requested
+  std::string sphere, handles, repaired, remesh, values, image, texture, page, json; ///< empty if not requested
   std::string onto, target_sphere, overlay, morph,
       expected_errors; ///< of a map onto another surface, empty if not requested
   std::string colored; ///< prefix of the names of the colored meshes; empty if not requested

@@ -36,9 +36,10 @@ void check_words(const Options& o)
   for(const auto& [option, words] : choices)
     o.word(option, words, "");
   for(const auto& [option, values] : o.options)
-    if(values.front().empty() && is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere",
-                                                   "json", "colored", "page", "template", "overlay", "expected-errors",
-                                                   "labels", "beside", "mask", "valid", "repaired", "handles"}))
+    if(values.front().empty() &&
+       is_among(option, {"output", "output-folder", "sphere", "transfer", "values-sphere", "json", "colored", "page",
+                         "template", "overlay", "expected-errors", "labels", "beside", "mask", "valid", "repaired",
+                         "handles", "texture"}))
       o.fail("--" + option + " needs a file name");
 }
 
@@ -191,6 +192,9 @@ void read_files(Options& o)
     names.target_sphere = with_suffix(names.sphere, "_target");
   names.json = o.text("json") == "-" ? "" : o.text("json");
   names.colored = o.text("colored");
+  names.texture = o.text("texture");
+  if(o.has("texture") && file_format(names.texture) != ".obj")
+    o.refuse("texture", "a file name that ends with .obj");
   if(o.has("page"))
     names.page = o.text("page");
   if(o.is("show") && !o.has("output"))

@@ -144,7 +144,7 @@ Json Run_report::summary() const
                                       " on average, relative to the square root of the area of the right surface");
   }
   else if(balanced)
-    texts.add("Radius for distortions", fixed_text(balanced->radius, 10, false) + ", of balanced areas (eq. 11)");
+    texts.add("Radius for distortions", fixed_text(balanced->radius, 10, false) + ", which balances areas");
   return texts.add("Seconds", fixed_text(seconds(), 2)).add("Program", program_version());
 }
 

@@ -73,7 +73,8 @@ public:
       landmarks[k] = read_named(names[k], [&] { return parse_landmarks(read_file(names[k]), *m_inputs[k]); });
     const auto& [first, second] = landmarks;
     if(first.size() != second.size())
-      throw error_in(names[1], "has ", second.size(), " landmarks, but ", printable(names[0]), " has ", first.size());
+      throw error_in(names[1], "has ", second.size(), second.size() == 1 ? " landmark, but " : " landmarks, but ",
+                     printable(names[0]), " has ", first.size());
     if(first.empty())
       throw error_in(names[0], "has no landmarks");
     for(std::size_t k = 0; k < first.size(); ++k)
@@ -204,6 +205,10 @@ std::vector<Landmark> parse_landmarks(std::string content, const Input_mesh& inp
     std::size_t v = 0;
     for(const char c : word)
       v = v < n ? 10 * v + static_cast<std::size_t>(c - '0') : n;
+    double other = 0.;
+    if(const std::string_view next = in.read_word(); is_number(std::string(next), other))
+      in.fail(Text_scanner::quoted(next), " follows the vertex index ", Text_scanner::quoted(word),
+              "; write one vertex index per line, counted from 0");
     if(v >= n)
       in.fail("the mesh has no vertex ", Text_scanner::quoted(word), ": its vertices are 0 to ", n - 1);
     const Vertex_index vertex = input.vertex_of(v);

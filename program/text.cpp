@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <locale>
 #include <new>
+#include <numeric>
 #include <sstream>
 #include <system_error>
 
@@ -48,6 +49,30 @@ std::string list_of(const Words& words, const std::string& last_separator)
   for(std::size_t i = 0; i < words.size(); ++i)
     list += (i == 0 ? "" : (i + 1 < words.size() ? ", " : last_separator)) + words[i];
   return list;
+}
+
+std::string nearest_of(const std::string& word, const Words& candidates)
+{
+  std::string nearest;
+  std::size_t least = (std::min)(std::size_t(3), word.size());
+  for(const std::string& candidate : candidates)
+  {
+    std::vector<std::size_t> row(candidate.size() + 1); // distances of the beginnings of the candidate
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for(const char c : word)
+      for(std::size_t j = 1, diagonal = row[0]++; j < row.size(); ++j)
+      {
+        const std::size_t above = row[j];
+        row[j] = (std::min)({above + 1, row[j - 1] + 1, diagonal + (candidate[j - 1] == c ? 0 : 1)});
+        diagonal = above;
+      }
+    if(row.back() < least)
+    {
+      least = row.back();
+      nearest = candidate;
+    }
+  }
+  return nearest;
 }
 
 Words split_list(const std::string& names)

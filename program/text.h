@@ -69,6 +69,10 @@ bool is_among(const std::string& word, const Words& words);
 /// returns "a, b, c", optionally with another separator before the last word.
 std::string list_of(const Words& words, const std::string& last_separator = ", ");
 
+/// returns the candidate that differs from a word by the fewest inserted, deleted and replaced characters, at most 2 and fewer than the
+/// word has; empty if there is none.
+std::string nearest_of(const std::string& word, const Words& candidates);
+
 /// splits comma-separated file names; an existing file whose name contains commas is one file.
 Words split_list(const std::string& names);
 

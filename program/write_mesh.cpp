@@ -2,6 +2,8 @@
 
 #include <CGAL/Spherical_parameterization/Cortex/FreeSurfer.h>
 #include <CGAL/Spherical_parameterization/Cortex/rotate_to_surface.h>
+#include <CGAL/Spherical_parameterization/Sampling/compute_texture_coordinates.h>
+#include <CGAL/Spherical_parameterization/Sampling/write_OBJ.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 #include <CGAL/Spherical_parameterization/is_bijective.h>
 #include <CGAL/Spherical_parameterization/round_to_float.h>
@@ -176,6 +178,21 @@ void rotate_sphere_to_surface(Input_mesh& input, const Sphere_map& sphere)
   if(SP::rotate_to_surface(input.mesh(), sphere) == SP::ERROR_INSUFFICIENT_PRECISION)
     throw error_in(input.name(), "the sphere cannot be rotated: rounding would invert its smallest faces.\n"
                                  "--convention none keeps its pose.");
+}
+
+std::string write_texture(std::ostream& out, Input_mesh& input, const Sphere_map& sphere)
+{
+  CGAL::Aff_transformation_3<CGAL::Exact_predicates_inexact_constructions_kernel> rotation(CGAL::IDENTITY);
+  // No rotation is determined for a ball, for example.
+  [[maybe_unused]] const SP::Error_code ignored = SP::fit_rotation_to_surface(input.mesh(), sphere, rotation);
+  const auto axis = [&](int i) { return Point_3(rotation.m(i, 0), rotation.m(i, 1), rotation.m(i, 2)); };
+  Mesh textured;
+  const auto uv = textured.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const SP::Error_code error = SP::compute_texture_coordinates(input.mesh(), sphere, textured, uv, axis(1), axis(2));
+  if(error != SP::ERROR_INVERTED_TEXTURE)
+    check(error, input.name());
+  check(SP::IO::write_OBJ(out, textured, uv), input.name());
+  return error == SP::OK ? "" : printable(input.name()) + ": " + SP::get_error_message(error) + '\n';
 }
 
 void write_sphere(std::ostream& out, const std::string& path, const std::string& format, Input_mesh& input,

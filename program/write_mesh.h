@@ -40,6 +40,12 @@ void rotate_sphere_to_surface(Input_mesh& input, const Sphere_map& sphere);
 void write_sphere(std::ostream& out, const std::string& path, const std::string& format, Input_mesh& input,
                   const Sphere_map& map, std::optional<double> radius);
 
+/// writes a surface as an OBJ file with longitude and latitude as texture coordinates. In the pose of the surface, the north pole is in the
+/// direction of the y-axis, and the center of the image in that of the z-axis.
+///
+/// \returns a warning, one line, if texture triangles are inverted; empty otherwise
+std::string write_texture(std::ostream& out, Input_mesh& input, const Sphere_map& sphere);
+
 /// A distortion of each vertex, and the range of the colors from darkest to lightest; larger distortions also have the lightest.
 struct Colored_distortion
 {

@@ -25,7 +25,7 @@ def compute_angles(
     faces : (m, 3) array_like of int
         Vertices of each triangle, counterclockwise as seen from outside.
     sphere : (n, 3) array_like of float, optional
-        Images of the vertices, at any distance from the origin. By default, `parameterize` computes them.
+        Images of the vertices, which need not be normalized. By default, `parameterize` computes them.
     threads : int, optional
         Maximum number of threads. By default, all cores.
 

@@ -194,7 +194,7 @@ def reconstruct(
     coefficients : (..., 2, L + 1, L + 1) array_like of float
         Coefficients of any number of functions. ``coefficients[..., :9, :9]`` omits all degrees above 8.
     where : (k, 3) array_like of float, (str, int) or (faces, sphere)
-        Directions, at any distance from the origin. If the functions are the coordinates of a surface, a tuple or list
+        Directions, which need not be normalized. If the functions are the coordinates of a surface, a tuple or list
         instead defines the sampling of the sphere: "octahedron", "cube" or "icosahedron" and the number of parts of each
         edge, from 1 to 5000; or any mesh of the sphere.
     normalization : {"4pi", "ortho", "schmidt"}

@@ -119,7 +119,7 @@ def is_bijective(faces: ArrayLike, sphere: ArrayLike, *, threads: Optional[int] 
     faces : (m, 3) array_like of int
         Vertices of each triangle.
     sphere : (n, 3) array_like of float
-        Images of the vertices, at any distance from the origin. Images of vertices without a face are ignored.
+        Images of the vertices, which need not be normalized. Images of vertices without a face are ignored.
     threads : int, optional
         Maximum number of threads. By default, all cores.
 

@@ -129,8 +129,8 @@ def parameterize(
         a `density`: on most surfaces with extremities, the prescribed areas are then missed. ``prefer="sampling"`` has its
         own energy, "stretch".
     initial : (n, 3) array_like of float or "schnyder", optional
-        Initial map, bijective, at any distance from the origin; or Schnyder's map, which depends only on the connectivity
-        and is bijective by a theorem. By default, a hierarchy computes the initial map.
+        Initial map, bijective, which need not be normalized; or Schnyder's map, which depends only on the connectivity and is
+        bijective by a theorem. By default, a hierarchy computes the initial map.
     density : (n,) or (m,) array_like of float or "equal", optional
         Prescribed areas: a density for each vertex or for each face, finite, at least 0 and in any unit. Each part of the
         surface gets the fraction of the sphere's area that is proportional to its area times its density. "equal" is 1

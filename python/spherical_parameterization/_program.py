@@ -13,7 +13,7 @@ NAME = "spherical_parameterization"
 
 
 def find_program() -> str:
-    """Return the path of the program: the one beside the module, or the first one on the path that is not a Python script."""
+    """Return the path of the program: the one beside the module, or the first one on the PATH that is not a Python script."""
     own = Path(__file__).parent / "bin" / (NAME + (".exe" if os.name == "nt" else ""))
     if own.is_file():
         return str(own)
@@ -25,8 +25,8 @@ def find_program() -> str:
             if file.read(2) != b"#!":  # this file, as pip installs it
                 return path
     sys.exit(
-        f"{NAME}: the program is neither installed with this module nor on the path. The module was built where CLI11 or Eigen"
-        " was missing: install both, then reinstall the module."
+        f"{NAME}: the program is neither installed with this module nor on the path. Add its folder to PATH; or install the libraries"
+        " that it needs, such as CLI11 and Eigen, and reinstall the module."
     )
 
 

@@ -63,8 +63,9 @@ def resample(
     Parameters
     ----------
     source, target : (faces, sphere)
-        The sphere that has the values and the sphere that gets them: triangles, (m, 3) int, and vertices, (n, 3) float, at
-        any distance from the origin. Both have to be bijective.
+        The sphere that has the values and the sphere that gets them, in register: to resample from a subject to an atlas,
+        `source` is the *registered* sphere of the subject, not its sphere before the registration. Each: triangles, (m, 3)
+        int, and vertices, (n, 3) float, a bijective map, which need not be normalized.
     values : (n, ...) array_like
         Values of each source vertex, such as (n,) or (n, k).
     method : {"barycentric", "adaptive", "nearest", "largest"}, optional
@@ -73,11 +74,12 @@ def resample(
         the source vertex with the largest weight of "barycentric" and "adaptive", respectively.
     areas : (areas of source, areas of target), optional
         Areas around the vertices of both spheres, (n,) and (k,) float, for "adaptive" and "largest"; or the points of the
-        vertices on a surface, (n, 3) and (k, 3) float, such as the midthickness.
+        vertices on a surface, (n, 3) and (k, 3) float: the midthickness, or else the white surface.
     mask : (n,) array_like of bool, optional
         Source vertices to use. By default, all.
     return_valid : bool
-        Whether to also return which target vertices get a value.
+        Whether to also return which target vertices get a value. Recommended with a `mask`: a vertex without a value gets 0,
+        which is no thickness, for example.
     threads : int, optional
         Maximum number of threads. By default, all cores.
 

@@ -33,7 +33,7 @@ class Locator:
     faces : (m, 3) array_like of int
         Vertices of each triangle.
     sphere : (n, 3) array_like of float
-        Images of the vertices, a bijective map, at any distance from the origin.
+        Images of the vertices, a bijective map, which need not be normalized.
     threads : int, optional
         Maximum number of threads, also for `locate`. By default, all cores.
 
@@ -68,7 +68,7 @@ class Locator:
         Parameters
         ----------
         directions : (k, 3) array_like of float
-            Points at any distance from the origin but 0.
+            Points other than the origin, which need not be normalized.
 
         Returns
         -------

@@ -168,8 +168,8 @@ def map_surface(
     ----------
     surface1, surface2 : (vertices, faces, sphere)
         Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
-        at any distance from the origin. A mesh object may replace the points and triangles. An atlas that is only a sphere
-        with features is ``(sphere, faces, sphere)``.
+        which need not be normalized. A mesh object may replace the points and triangles. An atlas that is only a sphere with
+        features is ``(sphere, faces, sphere)``.
     landmarks : (k, 2) array_like of int, optional
         Corresponding vertices of the first and of the second surface. Together with features, they guide the alignment and
         select among its candidates. If features finally agree by less than 0.5, and there are two or more landmarks in
@@ -179,31 +179,31 @@ def map_surface(
         objective is the mean energy plus this weight times the mean of the squared distances of landmarks on the unit
         sphere. The weight is positive; 10 is a strong one.
     features : sequence of pairs of array_like
-        Pairs of (n1,) and (n2,) float: features of the vertices of each surface that should agree. They replace the
-        built-in features. Only the order of their values counts, unless `compare_values` is set.
+        Pairs of (n1,) and (n2,) float: values at the vertices of both surfaces that should agree, instead of the built-in
+        features. They are compared by rank, unless `compare_values` is set.
     feature_weight : float
-        Weight of features after the alignment: the objective is the mean energy plus this weight times the mean of the
-        squared differences of feature ranks, which are from -1 to 1. For the built-in features, the weight is multiplied by
-        the fourth power of their agreement. At least 0; with 0, features only align the spheres.
+        Weight w of features, at least 0: the objective is the mean energy plus w times the mean squared difference of their
+        ranks, from -1 to 1. With 0, features only align the spheres. Built-in features have the weight w times the fourth
+        power of their agreement.
     feature_weights : sequence of float, optional
         Relative weights of `features`, at least 0 and not all 0. By default, all are equal.
     compare_values : bool
         Whether to compare the values of `features` instead of their ranks. Values are standardized: the mean over both
         surfaces is subtracted, and the unit is the root of three times their variance, so that they spread as ranks do.
     masks : ((n1,) array_like, (n2,) array_like), optional
-        For each surface, true or nonzero at vertices where features are compared. Elsewhere, such as on the medial wall of a
-        cortical surface, the map is still a bijection of low distortion.
+        For each surface, true or nonzero at vertices where features are compared. Elsewhere, the map is still a bijection
+        of low distortion. For a cortical surface without its medial wall, the vertices of a file such as lh.cortex.label:
+        ``numpy.isin(numpy.arange(n), nibabel.freesurfer.read_label(file))``.
     threads : int, optional
         Maximum number of threads. By default, all cores. The map has the same bits for any number.
     time_limit : float, optional
         Time in seconds after which the current map is returned, certified. It may miss landmarks that more sweeps would have
         met.
     callback : callable, optional
-        Called as ``callback(0, 0.0)`` every few milliseconds during the alignment and before each level of the hierarchy is
-        made. Then called before every sweep over a level as ``callback(number_of_vertices, energy)``, with the number of
-        vertices of the previous level, 0 on the coarsest one, and the average energy of this level. Finally called as
-        ``callback(number_of_vertices, 0.0)``, with the number of all vertices, while the energy of the map is measured. If
-        it returns a false value other than None, the current map is returned. Its exceptions reach the caller.
+        Called as ``callback(number_of_vertices, energy)``. Every few milliseconds during the alignment, and before each level
+        of the hierarchy is made, both are 0. Before each sweep over a level, they are the vertices of the previous level (0
+        on the coarsest one) and the average energy of this level. While the energy is measured, they are all vertices and
+        0. If it returns a false value other than None, the current map is returned. Its exceptions reach the caller.
     on_interrupt : {"raise", "return"}
         Effect of Ctrl-C: raise KeyboardInterrupt, or return the current map. It takes effect where `callback` is called.
 
@@ -326,7 +326,7 @@ def align_spheres(
     ----------
     surface1, surface2 : (vertices, faces, sphere)
         Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
-        at any distance from the origin. A mesh object may replace the points and triangles.
+        which need not be normalized. A mesh object may replace the points and triangles.
     features : sequence of pairs of array_like
         Pairs of (n1,) and (n2,) float: features of the vertices of each surface. Only the order of their values counts. The
         default features are independent of the pose of the surfaces in space: the area distortion of the maps, the average
@@ -409,7 +409,7 @@ def overlay(
     ----------
     surface1, surface2 : (vertices, faces, sphere)
         Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
-        at any distance from the origin. A mesh object may replace the points and triangles. For a map of `map_surface`, give
+        which need not be normalized. A mesh object may replace the points and triangles. For a map of `map_surface`, give
         ``(vertices1, faces1, directions)`` and the second surface.
     max_vertices : int, optional
         Maximum number of vertices of the refinement, each of which takes about 200 bytes. Coincident vertices of high degree
@@ -464,7 +464,7 @@ def measure_distortion_between(
     ----------
     surface1, surface2 : (vertices, faces, sphere)
         Each surface: points, (n, 3) float; triangles, (m, 3) int; and images of the vertices, (n, 3) float, a bijective map,
-        at any distance from the origin. A mesh object may replace the points and triangles. For a map of `map_surface`, give
+        which need not be normalized. A mesh object may replace the points and triangles. For a map of `map_surface`, give
         ``(vertices1, faces1, directions)`` and the second surface.
     smallest_area : float
         Triangles of the refinement with less than this fraction of the area of one of the surfaces are excluded and counted:

@@ -97,7 +97,9 @@ def test_writes_files_that_smriprep_reads(data, tmp_path, tree):
                 assert nb.load(anat / f"{resampled}_{metric}.shape.gii").agg_data().shape == (size,)
     assert len(found) == 2 * (1 + 2 * (1 + len(kinds) + 3))
     report = json.loads((anat / "sub-02_hemi-L_space-fsLR_desc-reg_sphere.json").read_text())
-    assert report["match"]["agreement"] > 0.7 and "files" not in report
+    assert report["match"]["agreement"] > 0.7 and not {"files", "input_stamp", "start_stamp"} & set(report)
+    assert "start from sub-02_hemi-L_sphere.surf.gii, symmetric-dirichlet energy" in report["method"]
+    assert not any(".work" in path.read_text() for path in anat.glob("*.json")), "temporary paths"
     head, *rows = (anat / "sub-02_desc-quality_surfaces.tsv").read_text().splitlines()
     assert head.split("\t")[:3] == ["hemisphere", "map", "vertices"] and len(rows) == 6
     page = (out / "sub-02.html").read_text()

@@ -432,7 +432,7 @@ def test_repairs_surfaces():
     squares = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4], [3, 4, 7]]
     assert sp.repair_surface(cube, squares).report.triangulated_polygons == 5
     error = refused(sp.ErrorCode.NON_CLOSED_MESH, sp.repair_surface, vertices, faces[: len(faces) // 2])
-    assert "beyond the limit of 5 %" in str(error)
+    assert "and the limit is 5 %" in str(error)
     assert len(sp.repair_surface(vertices, faces[: len(faces) // 2], max_added_area=1, refine=False).faces) > 0
     refused(sp.ErrorCode.WRONG_PARAMETER, sp.repair_surface, vertices, [[0, 1, 10**6]])
     refused(sp.ErrorCode.EMPTY_MESH, sp.repair_surface, vertices, [])

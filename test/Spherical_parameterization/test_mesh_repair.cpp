@@ -277,7 +277,7 @@ TEST(Repair_surface, adds_no_more_than_it_may)
   SP::Repair_report report;
   EXPECT_EQ(repair(open, repaired, report), SP::ERROR_NON_CLOSED_MESH);
   EXPECT_TRUE(repaired.points.empty() && repaired.triangles.empty());
-  EXPECT_NE(report.message.find("beyond the limit of 5 %"), std::string::npos) << report.message;
+  EXPECT_NE(report.message.find("and the limit is 5 %"), std::string::npos) << report.message;
   SP::Repair_limits limits;
   limits.maximum_added_area = 1.;
   expect_repaired(open, limits);

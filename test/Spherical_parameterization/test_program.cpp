@@ -38,6 +38,45 @@ TEST_F(Map_program, writes_all_that_is_asked_for)
   EXPECT_EQ(names_of_files().size(), 6u);
 }
 
+// The vertices of the file come first; the texture is upright and faces the viewer, as the surface does.
+TEST_F(Map_program, writes_texture_coordinates)
+{
+  const test_meshes::Triangle_list surface = test_meshes::bumpy_sphere(2);
+  write_off("bumpy.off", surface);
+  expect_success("bumpy.off --texture bumpy.obj");
+  const Mesh_file textured = read_mesh("bumpy.obj");
+  ASSERT_GT(textured.points.size(), surface.points.size());
+  EXPECT_EQ(
+      std::vector<test_meshes::Coordinates>(textured.points.data(), textured.points.data() + surface.points.size()),
+      surface.points);
+  std::istringstream lines(content(path("bumpy.obj")));
+  std::vector<std::array<double, 2>> coordinates;
+  double northern = 0., central = 0.; // sums of heights and of depths
+  std::size_t n_corners = 0;
+  for(std::string word; lines >> word;)
+    if(word == "vt")
+    {
+      auto& [u, v] = coordinates.emplace_back();
+      lines >> u >> v;
+      EXPECT_TRUE(u >= 0. && u <= 1. && v >= 0. && v <= 1.) << u << ' ' << v;
+    }
+    else if(const std::size_t slash = word.find('/'); slash != word.npos)
+    {
+      const test_meshes::Coordinates& p = textured.points[std::stoul(word) - 1];
+      const auto& [u, v] = coordinates.at(std::stoul(word.substr(slash + 1)) - 1);
+      northern += v > 0.5 ? p[1] : -p[1];
+      central += u > 0.25 && u < 0.75 ? p[2] : -p[2];
+      ++n_corners;
+    }
+  EXPECT_EQ(n_corners, 3 * textured.faces.size());
+  EXPECT_GT(northern, 0.5 * static_cast<double>(n_corners));
+  EXPECT_GT(central, 0.5 * static_cast<double>(n_corners));
+  expect_messages("", {{"bumpy.off --texture bumpy.ply", "--texture must be a file name that ends with .obj"},
+                       {"match bumpy.off bumpy.off --texture a.obj", "--texture is not an option of match, but of map"},
+                       {"bumpy.off --texture ", "--texture"},
+                       {"bumpy.off --texture a.obj -o a.obj", "a.obj"}});
+}
+
 TEST_F(Map_program, takes_every_setting_and_ignores_none)
 {
   write_off("long.off", test_meshes::scaled(test_meshes::icosphere(2), 1., 1.5, 2.5));
@@ -168,7 +207,7 @@ TEST_F(Map_program, compares_maps_to_the_unit_sphere_at_their_balanced_radius)
   {
     const std::string out = expect_success(std::string("small.off --json result.json ") + arguments);
     SCOPED_TRACE(arguments);
-    expect_part(out, "balanced areas");
+    expect_part(out, "which balances areas");
     const boost::property_tree::ptree report = json();
     EXPECT_GT(report.get<double>("distortion.D_iso.average"), 1e199);
     EXPECT_NEAR(report.get<double>("balanced.radius"), 1e-200, 1e-202);

@@ -114,6 +114,20 @@ TEST_F(Commands, say_where_options_went)
                        {"corner.off --unknown", "--unknown"}});
 }
 
+TEST_F(Commands, suggest_what_may_be_meant)
+{
+  write("mach", "");
+  expect_messages("", {{"corner.off --reapir", "unknown option --reapir; did you mean --repair?"},
+                       {"check corner.off --jsn=a.json", "unknown option --jsn; did you mean --json?"},
+                       {"batch corner.off --output-foldr out", "did you mean --output-folder?"},
+                       {"map corner.off --unknown", "unknown option --unknown\nSee 'spherical_parameterization map"},
+                       {"remsh corner.off cube=2", "'remsh' is not a command; did you mean 'remesh'?"},
+                       {"remsh corner.off cube=2 --transfer a.ply", "'remsh' is not a command; did you mean 'remesh'?"},
+                       {"mach corner.off", "'mach' is not a command, and map takes one SURFACE"}, // which is a file
+                       {"a corner.off", "'a' is not a command, and map takes one SURFACE"},
+                       {"-- --reapir", "--reapir: No such file"}});
+}
+
 TEST_F(Commands, are_completed_by_bash)
 {
   write("completion", expect_success("--completion bash"));

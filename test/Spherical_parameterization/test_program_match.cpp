@@ -52,14 +52,19 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
   ASSERT_GT(n, n_first + n_target);
   EXPECT_EQ(overlay.faces.size(), 2 * n - 4);
   EXPECT_EQ(morph.faces, overlay.faces);
-  std::vector<Coordinates> on_target, between;
+  std::vector<Coordinates> on_target, aligned;
   for(std::size_t v = 0; v < n; ++v)
   {
     on_target.push_back({overlay.columns["vertex x_on_target"][v], overlay.columns["vertex y_on_target"][v],
                          overlay.columns["vertex z_on_target"][v]});
-    between.push_back(test::combination(0.75, overlay.points[v], 0.25, on_target[v]));
+    aligned.push_back(test::combination(4., morph.points[v], -3., overlay.points[v]));
   }
-  expect_near(morph.points, between);
+  // The morph leads to a similar copy of the target.
+  const auto size = [](const std::vector<Coordinates>& points, std::size_t v) {
+    return test::distance(points[v], points[0]);
+  };
+  for(std::size_t v = 2; v < n; ++v)
+    EXPECT_NEAR(size(aligned, v) * size(on_target, 1), size(on_target, v) * size(aligned, 1), 1e-11) << v;
   const auto part = [](const std::vector<Coordinates>& all, std::size_t begin, std::size_t end) {
     return std::vector<Coordinates>(all.data() + begin, all.data() + end);
   };
@@ -89,6 +94,28 @@ TEST_F(Match_program, maps_a_surface_onto_another_one)
                  "The common refinement of the two surfaces exceeds");
 }
 
+// A copy in another pose and size, far from the surface, with coordinates whose squares overflow.
+TEST_F(Match_program, aligns_the_target_of_a_morph)
+{
+  const test_meshes::Triangle_list surface = test_meshes::bumpy_sphere(2);
+  write_off("surface.off", surface);
+  for(const double scale : {3., 1e200})
+  {
+    test_meshes::Triangle_list copy = test_meshes::scaled(test_meshes::tilted(surface), scale, scale, scale);
+    for(Coordinates& p : copy.points)
+      p = {p[0] + 40. * scale, p[1] - 20. * scale, p[2] + 10. * scale};
+    write_off("copy.off", copy);
+    for(const char* time : {"0", "0.5", "1"})
+    {
+      SCOPED_TRACE(time);
+      expect_success(std::string("match surface.off copy.off --morph ") + time + " morph.off");
+      std::vector<Coordinates> points = read_mesh("morph.off").points;
+      points.resize(surface.points.size()); // those of the surface come first
+      expect_near(points, surface.points, std::string(time) == "0" ? 0. : 1e-10);
+    }
+  }
+}
+
 TEST_F(Match_program, takes_landmarks)
 {
   const std::string map = "match sphere.off target.off";
@@ -112,14 +139,18 @@ TEST_F(Match_program, takes_landmarks)
   write("outside.txt", "3\n42\n");
   write("word.txt", "one\n");
   write("few.txt", "0\n");
-  expect_messages(map + " -o result.off --landmarks ",
-                  {{"twice.txt b.txt", "twice.txt: line 3: vertex 3 is already a landmark, in line 1"},
-                   {"outside.txt outside.txt", "outside.txt: line 2: the mesh has no vertex '42'"},
-                   {"word.txt b.txt", "word.txt: line 1: 'one' is not a vertex index"},
-                   {"a.txt missing.txt", "missing.txt: No such file"},
-                   {"few.txt b.txt", "has 3 landmarks, but few.txt has 1"},
-                   {"a.txt", "--landmarks"},
-                   {"a.txt b.txt --soft-landmarks 0", "--soft-landmarks must be"}});
+  write("row.txt", "3\n4 5\n");
+  expect_messages(
+      map + " -o result.off --landmarks ",
+      {{"twice.txt b.txt", "twice.txt: line 3: vertex 3 is already a landmark, in line 1"},
+       {"outside.txt outside.txt", "outside.txt: line 2: the mesh has no vertex '42'"},
+       {"word.txt b.txt", "word.txt: line 1: 'one' is not a vertex index"},
+       {"a.txt missing.txt", "missing.txt: No such file"},
+       {"row.txt b.txt", "row.txt: line 2: '5' follows the vertex index '4'; write one vertex index per line"},
+       {"few.txt b.txt", "has 3 landmarks, but few.txt has 1"},
+       {"a.txt few.txt", "few.txt: has 1 landmark, but a.txt has 3"},
+       {"a.txt", "--landmarks"},
+       {"a.txt b.txt --soft-landmarks 0", "--soft-landmarks must be"}});
   expect_message(map + " --soft-landmarks 1", "--landmarks");
 }
 

@@ -157,6 +157,7 @@ TEST_F(Repair_program, maps_a_surface_with_holes)
   expect_part(out, "patches cover ");
   EXPECT_EQ(json().get_child("repair.patches").size(), 2u);
   EXPECT_GT(json().get_child("repair.patches").front().second.get<double>("share_of_area"), 0.);
+  expect_message("opened.off -o map.off --repair --max-added-area 0.001", "closing the surface would add ");
   Mesh_file repaired = read_mesh("repaired.ply");
   for(const char* name : {"map.off", "colored_surface.ply", "colored_sphere.ply"})
     EXPECT_EQ(read_mesh(name).faces, repaired.faces) << name;
@@ -183,6 +184,11 @@ TEST_F(Repair_program, maps_a_surface_with_holes)
                                            {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
   write_off("band.off", band);
   expect_part(run("band.off --repair --max-added-area 1 -o map.off").err, "more than half");
+  test_meshes::Triangle_list holes = m_closed; // six of one face each, apart from each other
+  for(const std::size_t f : {310u, 250u, 190u, 130u, 70u, 10u})
+    holes.triangles.erase(holes.triangles.begin() + static_cast<std::ptrdiff_t>(f));
+  write_off("holes.off", holes);
+  expect_part(expect_success("repair holes.off --max-added-area 0.5"), ", and 1 smaller patch\n");
   m_opened.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   write_off("broken.off", m_opened);
   expect_message("repair broken.off -o result.ply", "vertex 3 has a coordinate that is");

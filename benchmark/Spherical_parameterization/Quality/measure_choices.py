@@ -95,8 +95,8 @@ TABLES = {
 | Need | Choice | Guarantee | Time | D_iso maximum / average, hand |
 | :--- | :----- | :-------- | ---: | ----------------------------: |
 | low worst and low average distortion: **the default** | `Bijective_low_distortion_parameterizer_3` | bijective | 1 | @hand default D_iso@ |
-| the lowest worst distortion | the same with `Sharpness::lowest_worst()` | bijective | @hand worst time@ | @hand worst D_iso@ |
-| the lowest average distortion | the same with `Sharpness::lowest_average()` | bijective | @hand average time@ | @hand average D_iso@ |
+| a lower worst distortion | the same with `Sharpness::lowest_worst()` | bijective | @hand worst time@ | @hand worst D_iso@ |
+| a lower average distortion | the same with `Sharpness::lowest_average()` | bijective | @hand average time@ | @hand average D_iso@ |
 | angles, certified | the same with `Conformal_energy_3` and `Fixed_radius_3` | bijective | @hand conformal time@ | D_angle @hand conformal D_angle@ |
 | angles, fast, for shapes without long extremities | `Conformal_parameterizer_3` | none; an error code if not injective | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | approximately angles, bijective | `Harmonic_parameterizer_3` | bijective or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |

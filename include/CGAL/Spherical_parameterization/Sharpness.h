@@ -74,7 +74,7 @@ public:
   /// returns the relative sharpness 20, which gives a low maximum at a low average. This is the default.
   static Sharpness balanced() { return relative(balanced_beta); }
 
-  /// returns the relative sharpness 40, which gives the lowest maximum.
+  /// returns the relative sharpness 40, above which the maximum hardly decreases.
   static Sharpness lowest_worst() { return relative(40.); }
 
   /// returns the relative sharpness `beta`, from 0 to 10<sup>6</sup>. For values above 20, the descent first converges

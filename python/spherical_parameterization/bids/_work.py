@@ -6,6 +6,7 @@ import fcntl
 import hashlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -229,8 +230,10 @@ def _process_hemisphere(subject: Subject, hemisphere: Hemisphere, run: Run, fold
         return folder / name
 
     def add_report(of: Path, report: Dict[str, Any]) -> None:
-        for name in ("files", "crc32", "input_stamp"):  # refer to the temporary folder
+        """Writes the report without references to the temporary folder."""
+        for name in ("files", "crc32", "input_stamp", "start_stamp"):
             report.pop(name, None)
+        report["method"] = re.sub(r"start from .*(?=, [a-z-]+ energy)", f"start from {sphere.name}", report["method"], flags=re.DOTALL)
         add(of.name.replace(".surf.gii", ".json")).write_text(json.dumps(report, indent=2) + "\n", encoding="utf-8")
 
     try:

@@ -224,10 +224,9 @@ private:
     const Repair_patch& largest = *std::max_element(patches.begin(), patches.end(),
                                                     [](const auto& a, const auto& b) { return a.share < b.share; });
     return fail(largest.is_of_handle ? ERROR_NO_TOPOLOGICAL_SPHERE : ERROR_NON_CLOSED_MESH,
-                "what closes the surface would be ", 100. * m_report.added_area,
-                " % of the area of the result, beyond the limit of ", 100. * m_limits.maximum_added_area,
-                " %; the largest part, ", 100. * largest.share, " %, at ",
-                largest.is_of_handle ? "a cut through a handle" : "a hole", " of ", largest.number_of_edges,
+                "closing the surface would add ", 100. * m_report.added_area, " % of its final area, and the limit is ",
+                100. * m_limits.maximum_added_area, " %; the largest patch, ", 100. * largest.share, " %, fills a ",
+                largest.is_of_handle ? "cut through a handle" : "hole", " of ", largest.number_of_edges,
                 " edges at vertex ", largest.vertex);
   }
 
