@@ -52,8 +52,9 @@ struct Normalized_points
   }
 };
 
-// Returns the points of the second surface, aligned to the first one: the rotation, translation and uniform scale minimize the squared
-// distances of corresponding points, weighted by the mean of the fractions of both areas.
+// Returns the points of the second surface, aligned to the first one: with the same mean, the same mean square distance from it, and the
+// rotation that minimizes the squared distances of corresponding points, weighted by the mean of the fractions of both areas.
+// The least-squares scale would shrink a surface that is not similar to the first one.
 std::vector<Point_3> aligned_points_of_second(const Overlay& overlay)
 {
   const std::size_t n = overlay.points.size();
@@ -97,13 +98,10 @@ std::vector<Point_3> aligned_points_of_second(const Overlay& overlay)
   for(std::size_t v = 0; v < n; ++v)
     pairs.emplace_back(static_cast<double>(n) * weights[v] * sides[1].points[v], sides[0].points[v]);
   const std::optional<SP::internal::Rotation_matrix> rotation = SP::internal::fitting_rotation(pairs);
-  double scale = 0.;
-  for(std::size_t v = 0; v < n && rotation; ++v)
-    scale += weights[v] * SP::internal::dot(sides[0].points[v], SP::internal::rotated(*rotation, sides[1].points[v]));
   std::vector<Point_3> result;
   for(const Vector_3d& p : sides[1].points) // without a unique rotation, only position and size are adapted
   {
-    const Vector_3d q = rotation ? scale * SP::internal::rotated(*rotation, p) : p;
+    const Vector_3d q = rotation ? SP::internal::rotated(*rotation, p) : p;
     const Vector_3d aligned = sides[0].origin + sides[0].unit * q;
     result.emplace_back(aligned[0], aligned[1], aligned[2]);
   }

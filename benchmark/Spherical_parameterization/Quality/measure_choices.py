@@ -103,7 +103,7 @@ TABLES = {
 | prescribed areas: equal, or by a density | `Target_area_parameterizer_3`: \ref SphericalParameterizationAreas | bijective | | |
 | even samples, for a remesh or a geometry image | the same with `Stretch_energy_3`, `Area_preserving_radius_3` and a sharpness of 3: \ref SphericalParameterizationStretch | bijective | | |
 | any bijective map, in a short time | the default with `number_of_iterations(0)` | bijective | @hand sweeps_0 time@ | @hand sweeps_0 D_iso@ |
-| the average of angle and area distortion, on every level of a hierarchy | `Hierarchical_parameterizer_3` | bijective | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |
+| low average of angle plus area distortion, by a hierarchy | `Hierarchical_parameterizer_3` | bijective | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |
 | Tutte's planar map, projected to the sphere | `Stereographic_parameterizer_3` | bijective or an error code | @hand only_stereographic time@ | @hand only_stereographic D_iso@ |
 | a map from the connectivity alone, with a proof | `Schnyder_parameterizer_3` | bijective | @hand only_schnyder time@ | @hand only_schnyder D_iso@ |
 | as-rigid-as-possible, for comparison | `ARAP_parameterizer_3` | none; an error code if not injective | @hand only_arap time@ | @hand only_arap D_iso@ |
