@@ -101,7 +101,7 @@ TABLES = {
 | angles, fast, for shapes without long extremities | `Conformal_parameterizer_3` | none; an error code if not injective | @hand only_conformal time@ | D_angle @hand only_conformal D_angle@ |
 | approximately angles, bijective | `Harmonic_parameterizer_3` | bijective or an error code | @hand only_harmonic time@ | D_angle @hand only_harmonic D_angle@ |
 | prescribed areas: equal, or by a density | `Target_area_parameterizer_3`: \ref SphericalParameterizationAreas | bijective | | |
-| even samples, for a remesh or a geometry image | the same with `Stretch_energy_3`, `Area_preserving_radius_3` and a sharpness of 3: \ref SphericalParameterizationStretch | bijective | | |
+| even samples, for a remesh or a geometry image | the default with `Stretch_energy_3`, `Area_preserving_radius_3` and a sharpness of 3: \ref SphericalParameterizationStretch | bijective | | |
 | any bijective map, in a short time | the default with `number_of_iterations(0)` | bijective | @hand sweeps_0 time@ | @hand sweeps_0 D_iso@ |
 | low average of angle plus area distortion, by a hierarchy | `Hierarchical_parameterizer_3` | bijective | @hand only_hierarchical time@ | @hand only_hierarchical D_iso@ |
 | Tutte's planar map, projected to the sphere | `Stereographic_parameterizer_3` | bijective or an error code | @hand only_stereographic time@ | @hand only_stereographic D_iso@ |
