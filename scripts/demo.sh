@@ -27,6 +27,6 @@ echo "== map $name to the sphere"
 
 echo
 [ ${#page[@]} -eq 0 ] || echo "Both side by side, for a browser:        $result.html"
-echo "The mesh, colored by distortion:        ${result}_surface.ply"
+echo "The mesh, colored by distortion:         ${result}_surface.ply"
 echo "Its image on the sphere, colored alike: ${result}_sphere.ply"
 echo "The image alone, in full precision:      ${result}_map.off"
