@@ -375,9 +375,7 @@ void add_anatomy(Page& page, Input_mesh& input, const std::string& labels)
 {
   const Mesh& mesh = input.mesh();
   SP::Sulcal_measures measures;
-  check(SP::compute_sulcal_measures(input.mesh(), measures, CGAL::parameters::default_values(),
-                                    SP::Sulcal_measures::CURVATURE),
-        input.name());
+  check(SP::compute_sulcal_measures(input.mesh(), measures, SP::Sulcal_measures::CURVATURE), input.name());
   std::vector<std::uint16_t> is_sulcus, areas;
   for(const Polygon& t : input.triangles())
     is_sulcus.push_back(measures.curvature[t[0]] + measures.curvature[t[1]] + measures.curvature[t[2]] > 0. ? 1 : 0);

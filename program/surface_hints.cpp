@@ -35,9 +35,7 @@ File_content read_features_of(const std::string& list, const Input_mesh& input)
       selection |= measure_named(name);
   SP::Sulcal_measures measures;
   if(selection != 0)
-    if(const SP::Error_code error =
-           SP::compute_sulcal_measures(input.mesh(), measures, CGAL::parameters::default_values(), selection);
-       error != SP::OK)
+    if(const SP::Error_code error = SP::compute_sulcal_measures(input.mesh(), measures, selection); error != SP::OK)
       throw error_in(list, "the features cannot be computed. ", SP::get_error_message(error));
   return read_values(list, [&](const std::string& name) {
     if(!is_among(name, own_feature_names))

@@ -75,6 +75,29 @@ TEST_F(Map_program, writes_texture_coordinates)
                        {"match bumpy.off bumpy.off --texture a.obj", "--texture is not an option of match, but of map"},
                        {"bumpy.off --texture ", "--texture"},
                        {"bumpy.off --texture a.obj -o a.obj", "a.obj"}});
+
+  write_off("spiky.off", test_meshes::random_stacked_sphere(300, 7));
+  expect_messages("", {{"spiky.off --method conformal --texture a.obj", "it has no texture coordinates"}});
+  EXPECT_FALSE(fs::exists(path("a.obj")));
+}
+
+// Needles that are narrower than the arcs along them take more new vertices than are allowed.
+TEST_F(Map_program, warns_of_inverted_texture_triangles)
+{
+  test_meshes::Triangle_list needles = test_meshes::icosphere(2);
+  for(std::size_t k = 0, n = needles.triangles.size(); k < n; ++k)
+  {
+    const auto [a, b, c] = needles.triangles[k];
+    test_meshes::Coordinates point;
+    for(std::size_t i = 0; i < 3; ++i)
+      point[i] = (1. - 3e-6) * (0.7 * needles.points[a][i] + 0.3 * needles.points[b][i]) + 3e-6 * needles.points[c][i];
+    test_meshes::split_face(needles, k, point);
+  }
+  write_off("needles.off", needles);
+  const Outcome outcome = run("needles.off --initial needles.off --iterations 0 --texture needles.obj");
+  EXPECT_EQ(outcome.status, 0);
+  expect_part(outcome.err, "needles.off: Some texture triangles are inverted");
+  EXPECT_TRUE(fs::exists(path("needles.obj")));
 }
 
 TEST_F(Map_program, takes_every_setting_and_ignores_none)

@@ -637,7 +637,7 @@ TEST(Folding, does_not_depend_on_the_samples_the_place_and_the_threads)
   EXPECT_EQ(sequential.inflated_curvature, b.inflated_curvature);
   const auto selected = [&](unsigned int selection) {
     SP::Sulcal_measures result = b; // what was there is replaced
-    EXPECT_EQ(SP::compute_sulcal_measures(second.mesh, result, CGAL::parameters::default_values(), selection), SP::OK);
+    EXPECT_EQ(SP::compute_sulcal_measures(second.mesh, result, selection), SP::OK);
     return result;
   };
   using Values = std::vector<double>;

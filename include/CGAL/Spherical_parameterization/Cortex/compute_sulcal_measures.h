@@ -86,8 +86,8 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, unsigned int selectio
 ///
 /// \param tmesh a closed triangle mesh of genus 0
 /// \param measures receives the selected measures; the other arrays are empty afterwards
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 /// \param selection the measures to compute, a combination of `Sulcal_measures::Selection`
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -103,8 +103,8 @@ Sulcal_measures sulcal_measures_of(const Surface& surface, unsigned int selectio
 /// \sa `CGAL::Spherical_parameterization::Surface_mapper_3::features()`
 template <class ConcurrencyTag = Parallel_if_available_tag, class TriangleMesh, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Error_code compute_sulcal_measures(const TriangleMesh& tmesh, Sulcal_measures& measures,
-                                   const CGAL_NP_CLASS& np = parameters::default_values(),
-                                   unsigned int selection = Sulcal_measures::ALL)
+                                   unsigned int selection = Sulcal_measures::ALL,
+                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
   if constexpr(internal::check_vertex_point_map<TriangleMesh, CGAL_NP_CLASS>())
   {
