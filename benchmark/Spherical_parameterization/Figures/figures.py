@@ -222,7 +222,7 @@ def _read_values(path: Path) -> np.ndarray:
 
 
 def opening(session: Session, name: str) -> Sheet:
-    """A surface and its sphere; equal places have equal colors, and the lines are meridians and parallels."""
+    """A surface and its sphere; corresponding points have equal colors, and the lines are meridians and parallels."""
     mapped = session.map(name)
     sheet, globe = session.sheet(1400, 700), Globe(step=15.0, width=0.5)
     sheet.place(mapped.surface(globe, sheet.pixels(690)), 5, 5)
