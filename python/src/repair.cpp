@@ -19,6 +19,7 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
   {
     const py::gil_scoped_release unlock;
     Mesh mesh = make_mesh("", vertices, faces);
+    check_points("", mesh, "vertices", vertices); // before the mesh has vertices without rows
     const std::size_t n_vertices = mesh.number_of_vertices(), n_faces = mesh.number_of_faces();
     const SP::Error_code error = SP::fill_holes(mesh, holes, CGAL::parameters::maximum_number(max_edges));
     if(error == SP::ERROR_NO_SIMPLICIAL_COMPLEX)
@@ -29,7 +30,6 @@ py::tuple fill_holes(const Points& vertices, const Indices& faces, std::size_t m
                    std::size_t(holes.back().vertex),
                    {},
                    {}}};
-    check_points("", mesh, "vertices", vertices);
     for(const Face_index f : mesh.faces())
       if(f.idx() >= n_faces)
       {
