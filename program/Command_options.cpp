@@ -42,7 +42,7 @@ Options_list method_options(const std::string& command)
           {"--tolerance", "T",
            "stop when two sweeps change the objective by at most this fraction (default: 1e-3, for sampling 3e-3)"},
           {"--iterations", "N",
-           "maximum number of sweeps (default: 250, more below 2000 vertices); 0 keeps the initial map"},
+           "maximum number of sweeps over the mesh (default: 250, more below 2000 vertices); 0 keeps the initial map"},
           {"--time-limit", "SECONDS", "stop sweeping after this time and write the current map"}});
   return list;
 }

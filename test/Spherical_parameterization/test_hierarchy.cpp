@@ -241,8 +241,8 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     const Surface mesh = surface_of(bumpy_sphere(3));
     Recording_control control;
     Images positions;
-    EXPECT_TRUE(SP::internal::embed_hierarchically(mesh, SP::Isometric_energy_3(), 20, sweeps_finest_level, positions,
-                                                   control, Execution()));
+    EXPECT_TRUE(SP::internal::embed_hierarchically(
+        mesh, SP::Isometric_energy_3(), {20, sweeps_finest_level, std::nullopt, {}}, positions, control, Execution()));
     const SP::Parameterization_report& report = control.report();
     EXPECT_EQ(control.levels.size(), report.number_of_levels);
     EXPECT_EQ(control.levels.front(), 4u);
@@ -255,6 +255,40 @@ TEST(Hierarchical_embedding, tells_of_every_level)
     EXPECT_EQ(report.stop_reason, sweeps_finest_level ? SP::CONVERGED : SP::NOT_RUN);
     EXPECT_TRUE(judge::is_one_to_one(mesh.in_callers_order(positions), bumpy_sphere(3).triangles));
   }
+}
+
+// The level of a quarter of the vertices minimizes the objective, so that fewer sweeps over the mesh are left.
+TEST(Hierarchical_embedding, minimizes_the_objective_on_levels)
+{
+  const Triangle_list list = bumpy_sphere(5);
+  const Surface mesh = surface_of(list);
+  const SP::Symmetric_Dirichlet_energy_3 energy;
+  const auto embed = [&](const std::optional<SP::Sharpness>& sharpness) {
+    Recording_control control;
+    Images positions;
+    EXPECT_TRUE(embed_hierarchically(mesh, energy, {5, false, sharpness, {}}, positions, control, Execution()));
+    EXPECT_TRUE(judge::is_one_to_one(mesh.in_callers_order(positions), list.triangles));
+    const SP::Parameterization_report& report = control.report();
+    EXPECT_EQ(control.number_of_questions, report.number_of_levels + report.number_of_level_iterations);
+    EXPECT_EQ(report.stop_reason, SP::NOT_RUN);
+    EXPECT_EQ(report.number_of_iterations(), 0u);
+    EXPECT_TRUE(control.energies.empty());
+    return positions;
+  };
+  const auto number_of_sweeps = [&](Images positions) {
+    Recording_control control;
+    Descent_loop<SP::Symmetric_Dirichlet_energy_3, Newton_step>(
+        mesh.rings(), mesh.points(), mesh.unit(), Face_energy<SP::Symmetric_Dirichlet_energy_3>(energy), Newton_step(),
+        SP::Sharpness(), nullptr, Descent_settings(), control, Execution())
+        .run(positions, 250);
+    EXPECT_EQ(control.report().stop_reason, SP::CONVERGED);
+    return control.report().number_of_iterations();
+  };
+  const Images by_average = embed(std::nullopt), by_objective = embed(SP::Sharpness());
+  EXPECT_LT(number_of_sweeps(by_objective), number_of_sweeps(by_average));
+  // a larger sharpness begins as the default does, and a schedule begins with the average energy
+  EXPECT_TRUE(have_same_bits(embed(SP::Sharpness::lowest_worst()), by_objective));
+  EXPECT_TRUE(have_same_bits(embed(SP::Sharpness::schedule()), by_average));
 }
 
 // With one sweep for a level, small ones still get what they need to settle.

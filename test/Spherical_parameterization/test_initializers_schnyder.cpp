@@ -20,7 +20,7 @@ struct Unmappable_energy : SP::Symmetric_Dirichlet_energy_3
 } // namespace
 
 template <>
-bool SP::internal::embed_hierarchically(const Surface&, const Unmappable_energy&, std::size_t, bool,
+bool SP::internal::embed_hierarchically(const Surface&, const Unmappable_energy&, const Level_settings&,
                                         std::vector<Vector_3d>& positions, Run_control& control, Execution,
                                         const std::vector<double>&)
 {

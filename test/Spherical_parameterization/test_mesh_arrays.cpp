@@ -57,8 +57,8 @@ TEST(Surface, has_the_area_of_the_unit_sphere)
     // eight triangles of sides sqrt(2): area 4 sqrt(3) = 4 pi r^2
     const double radius = std::sqrt(std::sqrt(3.) / pi) * size;
     EXPECT_NEAR(mesh.equal_area_radius() / radius, 1., 1e-14);
-    EXPECT_NEAR(mesh.scaled_radius(radius), 1., 1e-14);
-    EXPECT_NEAR(mesh.scaled_radius(0.125 * radius), 0.125, 1e-15);
+    EXPECT_NEAR(mesh.unit().scaled_radius(radius), 1., 1e-14);
+    EXPECT_NEAR(mesh.unit().scaled_radius(0.125 * radius), 0.125, 1e-15);
   }
 }
 

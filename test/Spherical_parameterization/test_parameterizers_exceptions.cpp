@@ -244,6 +244,25 @@ TEST_F(Exception_safety, of_the_visitor)
   });
 }
 
+// Also within the descent over a level, which only larger surfaces have.
+TEST(Exception_of_the_visitor, leaves_no_trace_of_a_larger_surface)
+{
+  const Subject subject{bumpy_sphere(5)}, other{bumpy_sphere(5)};
+  Countdown countdown;
+  Failing_visitor visitor(countdown);
+  const Options options = Options().iterations(1).visitor(visitor);
+  EXPECT_EQ(bijective().parameterize(other.mesh, other.map, options), SP::OK);
+  const std::size_t n = countdown.n_calls;
+  for(std::size_t k = 1; k <= n; k += (n + 29) / 30)
+  {
+    SCOPED_TRACE(k);
+    countdown = Countdown();
+    countdown.throw_at = k;
+    subject.expect_no_trace_of<Interruption>(
+        [&] { return bijective().parameterize(subject.mesh, subject.map, options); });
+  }
+}
+
 TEST_F(Exception_safety, of_the_points)
 {
   const Point_map surface(subject.mesh, points(subject.mesh));

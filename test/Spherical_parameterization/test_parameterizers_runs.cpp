@@ -137,6 +137,7 @@ TEST(Visitor, may_stop_anywhere)
   stop_everywhere(tireless(), random_stacked_sphere(30, 1), 100, stop_stride);
   stop_everywhere(bijective_conformal(), with_tentacle(6, 3.), 60, 3 * stop_stride);
   stop_everywhere(hierarchical(), random_stacked_sphere(100, 1), 0, stop_stride);
+  stop_everywhere(bijective(), bumpy_sphere(5), 2, 17 * stop_stride); // also within the descent over a level
   EXPECT_EQ(stop_everywhere(published(), bumpy_sphere(1), 120, 3 * stop_stride), 120u);
   for(const Method& method : {harmonic(), conformal(), arap()})
     for(const Triangle_list& list : {bumpy_sphere(1), random_stacked_sphere(60, 7), with_tentacle(5, 2.)})

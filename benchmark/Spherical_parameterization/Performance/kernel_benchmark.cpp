@@ -281,10 +281,11 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
   state.ResumeTiming();
   std::vector<Vector_3d> positions(s.number_of_vertices());
   using Plan = internal::Hierarchical_embedding<Energy>;
-  Plan plan(internal::Face_energy<Energy>(Energy()), internal::default_sweeps_per_level, false, false);
+  const internal::Level_settings settings = {internal::default_sweeps_per_level, false, SP::Sharpness(), {}};
+  const internal::Rest_limits limits;
+  Plan plan(internal::Face_energy<Energy>(Energy()), settings, limits, s.mesh.points(), run.control, execution);
   internal::set_tetrahedron(hierarchy, positions);
-  internal::Level_descent<Plan>(hierarchy, s.mesh.points(), internal::Rest_limits(), plan, run.control, execution)
-      .run(positions);
+  internal::Level_descent<Plan>(hierarchy, s.mesh.points(), limits, plan, run.control, execution).run(positions);
   benchmark::DoNotOptimize(positions.data());
   return s.number_of_vertices();
 }

@@ -37,26 +37,21 @@ class Change:
     new: str
 
 
-SMOOTH, FOCUS = "descent/Smooth_step.h", "descent/Block_coordinate_descent.h"
+SMOOTH = "descent/Smooth_step.h"
 LOOP, LEVELS, SETTINGS = "descent/Descent_loop.h", "descent/Hierarchical_embedding.h", "descent/Descent_settings.h"
 STEP, REMOVAL, KERNEL = "descent/Vertex_step.h", "hierarchy/Vertex_removal.h", "hierarchy/Star_kernel.h"
 
 HEURISTICS = {
     "smooth steps": {
         "none": [Change(SMOOTH, "return sweep >= m_next;", "return sweep > 1000000000;")],
-        "one before every second sweep": [Change(SMOOTH, "max_interval = 16;", "max_interval = 2;")],
     },
     "focus sweeps": {
         "none": [Change(LOOP, "m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),\n"
                         "                                   m_state.summary.maximum_energy());",
                         "m_descent.sweep(positions, scaled_radius(), m_objective.of_faces());")],
-        "two": [Change(FOCUS, "max_focus_sweeps = 500;", "max_focus_sweeps = 2;")],
-        "up to 0.4 of a sweep": [Change(FOCUS, "focus_fraction = 0.8;", "focus_fraction = 0.4;")],
     },
     "over-relaxation 1.7": {
         "1": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.;")],
-        "1.5": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.5;")],
-        "1.9": [Change(STEP, "m_over_relaxation = 1.7;", "m_over_relaxation = 1.9;")],
     },
     "over-relaxation 1.5 on levels": {
         "1.7": [Change(LEVELS, "over_relaxation = 1.5;", "over_relaxation = 1.7;")],
@@ -64,12 +59,14 @@ HEURISTICS = {
     "radius steps only without a smooth step": {
         "always": [Change(LOOP, "else if(!makes_smooth_step(i))", "else")],
     },
+    "descents on levels": {
+        "none": [Change(LEVELS, "if(settings.sharpness)", "if(false)")],
+    },
     "small levels until convergence": {
         "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
     },
     "5 sweeps on the other levels": {
         "3": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 3;")],
-        "10": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 10;")],
     },
     "a quarter of the vertices removed per level": {
         "a third": [Change("hierarchy/Mesh_hierarchy.h", "max_fraction = 0.25;", "max_fraction = 1. / 3.;")],

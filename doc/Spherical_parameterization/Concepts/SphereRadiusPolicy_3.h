@@ -9,8 +9,7 @@ may choose a radius that increases the objective, so that the objective is not m
 The policy is called before each sweep over the mesh, and once more after the last one. At the first and the last call, its result
 becomes the radius. At all other calls, the new radius is the geometric mean of the old radius and the result, or the result itself
 in `CGAL::Spherical_parameterization::Published_low_distortion_parameterizer_3`. A result that is not positive and finite is
-ignored. The coarse levels of a hierarchy use `CGAL::Spherical_parameterization::Optimal_radius_3` instead. A policy may have
-mutable state: each run works on a copy of the policy that was passed to the parameterizer.
+ignored. The coarse levels of a hierarchy use the radius that minimizes their energy instead. A policy may have mutable state: each run works on a copy of the policy that was passed to the parameterizer.
 
 \cgalRefines{CopyConstructible}
 

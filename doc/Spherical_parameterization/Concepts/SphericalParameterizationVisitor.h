@@ -73,12 +73,13 @@ public:
   /// \param radius the radius of the sphere in the unit of length of the mesh
   void after_iteration(std::size_t iteration, double energy, double radius);
 
-  /// called after `after_iteration()`; before each level while a hierarchy is constructed; before each sweep over a
-  /// level; and every few milliseconds while spheres are aligned, overlaid or measured. The clock of
+  /// called after `after_iteration()`; before each level while a hierarchy is constructed; before or after each
+  /// sweep over a level; and every few milliseconds while spheres are aligned, overlaid or measured. The clock of
   /// `maximum_running_time` is checked at the same times.
   ///
   /// \param iteration the number of the sweep or step, from 1; 0 on the levels and where there are none
-  /// \param energy as for `after_iteration()`; on the levels, the average energy of the level; 0 where there are none
+  /// \param energy as for `after_iteration()`; on the levels, the average energy or the objective of the level; 0 where
+  ///        it is not known
   ///
   /// \return `false` to stop as soon as possible. A parameterizer then certifies and returns the current map; on the
   ///         levels, it first maps the rest of the hierarchy with the minimum of one sweep per level. An alignment

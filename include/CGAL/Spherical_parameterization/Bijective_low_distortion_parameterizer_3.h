@@ -50,7 +50,9 @@ namespace CGAL::Spherical_parameterization {
 /// and the level of the soft maximum. If a radius policy is set, the policy determines the radius instead.
 ///
 /// <b>Method.</b> The descent starts from any bijective map. Sweeps move each vertex by a Newton step, where the paper
-/// uses gradient steps (eq. 8). They alternate with steps of all variables together.
+/// uses gradient steps (eq. 8). They alternate with steps of all variables together. By default, a mesh of more than
+/// about 10,000 vertices starts from a map that minimizes \f$ \Phi \f$ on a coarser mesh with at most a quarter of them,
+/// unless the sharpness follows a schedule.
 /// \ref SphericalParameterizationHowItWorksDescent has the details.
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is bijective, also after a run that was stopped early. Exact
@@ -67,7 +69,8 @@ namespace CGAL::Spherical_parameterization {
 /// \tparam Radius must be a model of `SphereRadiusPolicy_3`.<br> <b>%Default:</b> no policy; the radius is a variable
 ///         of the objective
 /// \tparam InitialParameterizer must be a model of `SphericalParameterizer_3`.<br> <b>%Default:</b>
-///         `Hierarchical_parameterizer_3` with the energy of this class
+///         the levels of `Hierarchical_parameterizer_3` with the energy of this class, on some of which \f$ \Phi \f$ is
+///         minimized
 ///
 /// \sa `Precomputed_parameterizer_3`
 /// \sa `Published_low_distortion_parameterizer_3`
@@ -124,7 +127,7 @@ public:
   /// The changes of the objective and of the average are relative to the smaller one of two numbers: the amount by
   /// which the value exceeds the energy of an isometry, and twice the difference between the largest and the average
   /// energy. They are relative to at least one millionth of the value. With tolerances of 0, a run ends when nothing
-  /// changes any more.
+  /// changes any more. On coarse levels, tolerances below the defaults are the defaults.
   ///
   /// \param energy_tolerance at least 0, by default 1e-3
   /// \param radius_tolerance at least 0, by default 2e-3
@@ -196,7 +199,7 @@ private:
   {
     if constexpr(std::is_same<InitialParameterizer, Default>::value)
     {
-      internal::embed_surface(m_energy, internal::default_sweeps_per_level, false, run);
+      internal::embed_surface(m_energy, {internal::default_sweeps_per_level, false, m_sharpness, m_settings}, run);
       return OK;
     }
     else

@@ -39,7 +39,8 @@ namespace CGAL::Spherical_parameterization {
 /// set, some sweeps of block coordinate descent decrease the average energy of the level. The default energy combines
 /// angle and area distortion.
 ///
-/// This class is the default initial parameterizer of `Bijective_low_distortion_parameterizer_3`.
+/// By default, `Bijective_low_distortion_parameterizer_3` starts from such a map for its own energy, except that some
+/// levels also minimize its objective.
 ///
 /// <b>Guarantee.</b> If `OK` is returned, the map is bijective: it is certified as it has been written. If double
 /// precision cannot represent the map, it is computed again with a penalty on small faces. If several such attempts
@@ -113,7 +114,7 @@ public:
   // maps the surface of a run; see internal::make_initial_map()
   Error_code embed(internal::Run& run, bool sweeps_finest_level) const
   {
-    internal::embed_surface(m_energy, m_sweeps_per_level, sweeps_finest_level, run);
+    internal::embed_surface(m_energy, {m_sweeps_per_level, sweeps_finest_level, std::nullopt, {}}, run);
     return OK;
   }
 #endif

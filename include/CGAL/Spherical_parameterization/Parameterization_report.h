@@ -88,9 +88,9 @@ struct Parameterization_report
   double average_energy = 0.; ///< average energy of the final map, NaN if it is not finite
   double largest_energy = 0.; ///< largest energy of a face of the final map, NaN if the average is
 
-  double seconds_for_reading = 0.;      ///< time for checking and copying the mesh and starting threads
-  double seconds_for_hierarchy = 0.;    ///< time for removing vertices until a tetrahedron is left
-  double seconds_for_embedding = 0.;    ///< time for vertex insertion with its sweeps, or for the initial map
+  double seconds_for_reading = 0.;   ///< time for checking and copying the mesh and starting threads
+  double seconds_for_hierarchy = 0.; ///< time for removing vertices until a tetrahedron is left
+  double seconds_for_embedding = 0.; ///< time for vertex insertion with all sweeps over levels, or for the initial map
   double seconds_for_optimization = 0.; ///< time for sweeps over the mesh itself, or for global steps
   double seconds_for_certificate = 0.;  ///< time for writing and certifying the map
 

@@ -45,7 +45,8 @@ class Sharpness_rule;
 ///   first term controls the other faces.
 ///
 ///   The level \f$ R \f$ is fixed during a sweep. The objective of a sweep is then a weighted sum of the objectives of
-///   eq. 6 and eq. 7 with \f$ s = b / R \f$. The coarse levels of a hierarchy use eq. 6.
+///   eq. 6 and eq. 7 with \f$ s = b / R \f$. The coarse levels of a hierarchy use eq. 6, except that some with at least
+///   2000 vertices minimize \f$ \Phi \f$, with \f$ \beta \leq 20 \f$; see \ref SphericalParameterizationHowItWorksHierarchy.
 ///
 ///   With \f$ \beta = 0 \f$, the objective is the mean, which gives the lowest average distortion. Larger values
 ///   decrease the maximum at the cost of the average. The table lists the isometric distortion relative to

@@ -270,7 +270,8 @@ private:
 
   void map(const internal::Area_shares& shares, internal::Run& run)
   {
-    internal::embed_surface(m_energy, internal::default_sweeps_per_level, false, run, shares.of_vertices);
+    internal::embed_surface(m_energy, {internal::default_sweeps_per_level, false, m_sharpness, {}}, run,
+                            shares.of_vertices);
     const internal::Descent_settings settings;
     internal::descend<internal::Newton_step>(
         m_energy, nullptr, m_sharpness, settings,

@@ -91,7 +91,7 @@ namespace CGAL::Spherical_parameterization {
 ///                     available in `TriangleMesh`.}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, or of global steps}
+///     \cgalParamDescription{the maximum number of sweeps over the vertices of `tmesh` itself, not over coarse levels, or of global steps}
 ///     \cgalParamType{unsigned int; a negative number is rejected with `ERROR_WRONG_PARAMETER`}
 ///     \cgalParamDefault{`250` for \f$ n \geq 2000 \f$ vertices, \f$ 1 + \lfloor 2000 / (n + 1) \rfloor \f$ times as
 ///                       many for fewer; other methods document their own defaults or ignore the parameter}

@@ -29,6 +29,7 @@
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Surface.h>
+#include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
@@ -75,16 +76,19 @@ template <class Energy, class Step>
 class Descent_loop
 {
 public:
-  // If `densities` are given, one for each vertex, the area of a face is multiplied by the mean of its vertices'
-  // densities; see Block_coordinate_descent.
-  Descent_loop(const Surface& mesh, const Energy& energy, const Step& step, const Sharpness& sharpness,
-               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution,
-               std::vector<double> densities = {})
-    : m_mesh(mesh)
-    , m_descent(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), step, execution)
-    , m_smooth_step(Round_sphere<Energy, Step>(Face_energy<Energy>(energy)), mesh.number_of_vertices(), !radius)
+  // The unit is the radius of the sphere with the area of the surface, from which the descent starts. If `densities` are
+  // given, one for each vertex, the area of a face is multiplied by the mean of its vertices' densities; see
+  // Block_coordinate_descent.
+  Descent_loop(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Length_unit& unit,
+               const Face_energy<Energy>& energy, const Step& step, const Sharpness& sharpness, Radius_chooser* radius,
+               const Descent_settings& settings, Run_control& control, Execution execution,
+               std::vector<double> densities = {}, const Rest_limits& limits = Rest_limits())
+    : m_unit(unit)
+    , m_number_of_vertices(points.size())
+    , m_descent(Round_sphere<Energy, Step>(energy), step, execution)
+    , m_smooth_step(Round_sphere<Energy, Step>(energy), points.size(), !radius)
     , m_execution(execution)
-    , m_isometric_energy(Face_energy<Energy>(energy)(2., 1.))
+    , m_isometric_energy(energy(2., 1.))
     , m_objective(sharpness, !radius)
     , m_radius_chooser(radius)
     , m_settings(settings)
@@ -92,13 +96,22 @@ public:
   {
     if constexpr(follows_curvature<Energy>)
       if(densities.empty())
-        densities = vertex_densities(mesh.rings(), mesh.points(), curvature_masses(mesh.rings(), mesh.points()));
-    m_descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), densities, Rest_limits());
+        densities = vertex_densities(rings, points, curvature_masses(rings, points));
+    m_descent.assign(rings, Independent_sets(rings), points, densities, limits);
   }
 
   // Minimizes the objective over the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the
-  // radius.
+  // radius by flat areas.
   double run(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
+  {
+    minimize(positions, max_sweeps);
+    choose_final_radius(positions);
+    finish(positions);
+    return m_state.radius;
+  }
+
+  // The same, without what only the result of a run needs. The radius is that of the last sweep.
+  void minimize(std::vector<Vector_3d>& positions, std::size_t max_sweeps)
   {
     Parameterization_report& report = m_control.report();
     start(positions);
@@ -106,8 +119,7 @@ public:
     bool has_phases = true; // whether the radius policy may have further phases
     const std::size_t window =
         m_settings.is_accelerated
-            ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_mesh.number_of_vertices(),
-                         max_window)
+            ? (std::min)(Smooth_step_schedule::min_interval + size_of_small_meshes / m_number_of_vertices, max_window)
             : 1;
     Descent_state last;
     for(std::size_t i = 0; i < max_sweeps; ++i)
@@ -151,10 +163,13 @@ public:
       skip_phases();
     if(m_control.is_stopped())
       report.stop_reason = m_control.stop_reason();
-    choose_final_radius(positions);
-    finish(positions);
-    return m_state.radius;
   }
+
+  // The current objective, and the radius in the unit of the mesh.
+  const Face_objective& objective() const { return m_objective.of_faces(); }
+
+  // It is restricted to a range where its powers are finite.
+  double scaled_radius() const { return (std::min)((std::max)(m_unit.scaled_radius(m_state.radius), 1e-50), 1e50); }
 
 private:
   static constexpr std::size_t max_window = 100; // without it, the window would be 502 sweeps for a tetrahedron
@@ -163,7 +178,7 @@ private:
 
   void start(const std::vector<Vector_3d>& positions)
   {
-    m_state.radius = m_mesh.equal_area_radius();
+    m_state.radius = m_unit.equal_area_radius();
     if(m_radius_chooser)
     {
       const double radius = m_radius_chooser->initial_radius(m_state.radius);
@@ -344,10 +359,8 @@ private:
     report.seconds_for_optimization = m_control.lap();
   }
 
-  // The radius in the unit of the mesh, restricted to a range where its powers are finite.
-  double scaled_radius() const { return (std::min)((std::max)(m_mesh.scaled_radius(m_state.radius), 1e-50), 1e50); }
-
-  const Surface& m_mesh;
+  Length_unit m_unit; // the caller's unit is that of radii
+  std::size_t m_number_of_vertices;
   Block_coordinate_descent<Round_sphere<Energy, Step>, Step> m_descent;
   Smooth_step<Round_sphere<Energy, Step>> m_smooth_step;
   Execution m_execution;

@@ -15,8 +15,10 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Face_range_3.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
 
 #include <cstddef>
+#include <optional>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -34,11 +36,23 @@ struct Descent_settings
 };
 
 // Sweeps over a mesh below this size cost little, so the number of sweeps increases in inverse proportion to the size.
+// Smaller levels of a hierarchy are swept until they converge, and have no descents.
 constexpr std::size_t size_of_small_meshes = 2000;
 
 // Sweeps over a level of a hierarchy that is not small. They improve the map after vertex insertion; more sweeps hardly
 // change the result of the descent over the mesh.
 constexpr std::size_t default_sweeps_per_level = 5;
+
+// How the levels of a hierarchy are swept.
+struct Level_settings
+{
+  std::size_t sweeps_per_level = default_sweeps_per_level;
+  bool sweeps_finest_level = false;
+  // If given, and if it is relative, the objective with this sharpness is also minimized on some of the levels, see
+  // Hierarchical_embedding. Tolerances below the defaults are replaced by them.
+  std::optional<Sharpness> sharpness;
+  Descent_settings descent;
+};
 
 // Enough sweeps for most meshes to converge.
 inline std::size_t default_number_of_sweeps(std::size_t n_vertices)

@@ -15,8 +15,11 @@
 #include <CGAL/license/Spherical_parameterization.h>
 
 #include <CGAL/Spherical_parameterization/Parameterization_report.h>
-#include <CGAL/Spherical_parameterization/internal/descent/Level_descent.h>
+#include <CGAL/Spherical_parameterization/Sharpness.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Descent_loop.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Descent_settings.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Level_descent.h>
+#include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Round_sphere.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Vertex_step.h>
 #include <CGAL/Spherical_parameterization/internal/execution/Run_control.h>
@@ -35,29 +38,60 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
 
+// The control of a descent over a level, whose sweeps are sweeps over a level in the report of the run.
+class Level_control : public Run_control
+{
+public:
+  explicit Level_control(Run_control& run)
+    : m_run(run)
+  {}
+
+  void after_iteration(std::size_t, double, double) override { ++m_run.report().number_of_level_iterations; }
+
+private:
+  bool visitor_goes_further(std::size_t, double energy) override { return m_run.go_further(0, energy); }
+
+  Run_control& m_run;
+};
+
 // The plan for mapping a hierarchy to the unit sphere, see Level_descent: the coarsest level is a regular tetrahedron,
-// new vertices are inserted into the kernels of their holes, and on every level the energy is minimized at the optimal
-// radius.
+// new vertices are inserted into the kernels of their holes, and sweeps minimize the average energy (eq. 6) at the
+// optimal radius: on a coarse level, a face may represent a whole extremity, and weighting the worst faces would
+// misplace the extremities.
+//
+// With a sharpness, a descent minimizes the objective of that sharpness on the finest level with at most a quarter of the
+// vertices, a sixteenth, and so on, unless it is small. The descent over the mesh then needs two thirds of the sweeps.
 template <class Energy>
 class Hierarchical_embedding
 {
 public:
   using Space = Round_sphere<Energy, Newton_step>;
 
-  // The finest level is swept only if `sweeps_finest_level`.
-  Hierarchical_embedding(const Face_energy<Energy>& energy, std::size_t sweeps_per_level, bool sweeps_finest_level,
-                         bool is_uniform)
+  // The points are those of the finest level; they and the control must outlive this object.
+  Hierarchical_embedding(const Face_energy<Energy>& energy, const Level_settings& settings, const Rest_limits& limits,
+                         const std::vector<Vector_3d>& points, Run_control& control, const Execution& execution)
     : m_energy(energy)
-    , m_sweeps_per_level(sweeps_per_level)
-    , m_sweeps_finest_level(sweeps_finest_level)
-    , m_is_uniform(is_uniform)
-  {}
+    , m_settings(settings)
+    , m_limits(limits)
+    , m_points(points)
+    , m_control(control)
+    , m_execution(execution)
+  {
+    if(settings.sharpness)
+      m_settings.sharpness = Objective::initial_sharpness(*settings.sharpness);
+    const Descent_settings sufficient;
+    double &energy_tolerance = m_settings.descent.energy_tolerance,
+           &radius_tolerance = m_settings.descent.radius_tolerance;
+    energy_tolerance = (std::max)(energy_tolerance, sufficient.energy_tolerance);
+    radius_tolerance = (std::max)(radius_tolerance, sufficient.radius_tolerance);
+  }
 
   Space space() const { return Space(m_energy); }
   Newton_step step() const { return Newton_step(over_relaxation); }
@@ -66,15 +100,41 @@ public:
   // to have the same size, after other attempts have failed, the number of sweeps is decisive.
   Level_sweeps start_level(Space&, const Mesh_hierarchy::Level& level, bool is_finest)
   {
-    if(is_finest && !m_sweeps_finest_level)
+    if(is_finest && !m_settings.sweeps_finest_level)
       return {};
-    if(level.vertices.size() < size_of_small_meshes && !m_is_uniform)
-      return {(std::max)(max_sweeps_to_converge, m_sweeps_per_level), convergence_tolerance};
-    return {m_sweeps_per_level, -1.};
+    if(level.vertices.size() < size_of_small_meshes && !m_limits.is_uniform)
+      return {(std::max)(max_sweeps_to_converge, m_settings.sweeps_per_level), convergence_tolerance};
+    if(m_has_descended)
+      return {sweeps_after_descent, -1., false}; // the radius is that of the descent
+    return {m_settings.sweeps_per_level, -1.};
   }
 
   // New vertices are inserted into the kernel.
   bool find_insertion_point(const Ring_hole&, const Mesh_hierarchy::Removed_vertex&, Vector_3d&) const { return false; }
+
+  // After a descent, the first sweep decreases the energies around new vertices, where steps for a soft maximum would be
+  // short, and the second one decreases the objective.
+  Face_objective objective(std::size_t sweep) const
+  {
+    return m_has_descended && sweep > 0 ? m_objective : Face_objective();
+  }
+
+  // Minimizes the objective on some levels. The radius becomes that of the minimum.
+  void finish_level(const Mesh_hierarchy& hierarchy, std::size_t k, std::vector<Vector_3d>& positions, double& radius)
+  {
+    if(!m_settings.sharpness || !is_to_descend(hierarchy, k) || m_control.is_stopped())
+      return;
+    const Mesh_hierarchy::Level& level = hierarchy.level(k);
+    const std::vector<Vector_3d> points = level.gathered(m_points);
+    Level_control control(m_control);
+    Descent_loop<Energy, Newton_step> loop(hierarchy.rings(k), points, Length_unit(), m_energy, Newton_step(),
+                                           *m_settings.sharpness, nullptr, m_settings.descent, control, m_execution,
+                                           vertex_densities(hierarchy.rings(k), points, level.areas), m_limits);
+    loop.minimize(positions, default_number_of_sweeps(positions.size()));
+    radius = loop.scaled_radius();
+    m_objective = loop.objective();
+    m_has_descended = true;
+  }
 
   // The radius of minimum energy, regardless of the policy for the mesh itself.
   template <class Descent>
@@ -96,14 +156,33 @@ public:
   void start_sweep(Space&, std::size_t, bool) const {}
   bool may_end(const Space&) const { return true; }
 
+  // Whether the objective has been minimized on a level.
+  bool has_descended() const { return m_has_descended; }
+
 private:
-  static constexpr double over_relaxation = 1.5; // less than on the mesh: with its 1.7, the largest energies are higher
+  // Whether a level is the finest one with at most a quarter of the vertices, a sixteenth, and so on.
+  static bool is_to_descend(const Mesh_hierarchy& hierarchy, std::size_t k)
+  {
+    const auto size = [&](std::size_t level) { return hierarchy.level(level).vertices.size(); };
+    std::size_t bound = size(0);
+    while(k > 0 && bound >= size(k - 1))
+      bound /= 4;
+    return k > 0 && size(k) <= bound && size(k) >= size_of_small_meshes;
+  }
+
+  static constexpr double over_relaxation = 1.5;         // with the 1.7 of descents, the largest energies are higher
+  static constexpr std::size_t sweeps_after_descent = 2; // see objective()
   static constexpr std::size_t max_sweeps_to_converge = 300;
   static constexpr double convergence_tolerance = 1e-4; // of the average energy, see Energy_summary::has_settled()
 
   Face_energy<Energy> m_energy;
-  std::size_t m_sweeps_per_level;
-  bool m_sweeps_finest_level, m_is_uniform;
+  Level_settings m_settings;
+  Rest_limits m_limits;
+  const std::vector<Vector_3d>& m_points;
+  Run_control& m_control;
+  Execution m_execution;
+  Face_objective m_objective; // of the last descent
+  bool m_has_descended = false;
 };
 
 inline void set_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vector_3d>& positions)
@@ -122,15 +201,15 @@ inline void set_tetrahedron(const Mesh_hierarchy& hierarchy, std::vector<Vector_
 // the map: because the energy allows it, such as a conformal one on long extremities, or because the surface itself has
 // no room for them, for example where many vertices coincide. Then the map is computed again, with an increasing guard
 // against the former and increasing limits for the latter, and finally without regard to the surface, with faces of
-// equal size and an increasing number of sweeps. Returns whether there is a map. The finest level is swept, like the
-// other levels, only if `sweeps_finest_level`.
+// equal size and an increasing number of sweeps. Returns whether there is a map.
 template <class Energy>
-bool embed_hierarchically(const Surface& mesh, const Energy& energy, std::size_t sweeps_per_level,
-                          bool sweeps_finest_level, std::vector<Vector_3d>& positions, Run_control& control,
-                          Execution execution, const std::vector<double>& shares = {})
+bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Level_settings& settings,
+                          std::vector<Vector_3d>& positions, Run_control& control, Execution execution,
+                          const std::vector<double>& shares = {})
 {
   Parameterization_report& report = control.report();
-  const auto embed = [&](double guard, Rest_limits limits, std::size_t sweeps_factor) {
+  bool has_descended = false;
+  const auto embed = [&](double guard, Rest_limits limits, std::size_t sweeps_factor, bool descends = false) {
     limits.height_without_shape = limits.min_height; // a needle on a coarse level may be as long as the surface
     // An attempt consumes the hierarchy; further attempts are rare.
     Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
@@ -143,14 +222,21 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, std::size_t
       report.number_of_levels = hierarchy.number_of_levels();
       report.seconds_for_hierarchy = control.lap();
     }
-    Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), sweeps_factor * sweeps_per_level,
-                                        sweeps_finest_level, limits.is_uniform);
+    Level_settings attempt = settings;
+    attempt.sweeps_per_level *= sweeps_factor;
+    if(!descends)
+      attempt.sharpness.reset();
+    Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), attempt, limits, mesh.points(), control,
+                                        execution);
     positions.resize(mesh.number_of_vertices());
     set_tetrahedron(hierarchy, positions);
-    return Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
+    const bool is_embedded = Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
+    has_descended = plan.has_descended();
+    return is_embedded;
   };
 
-  bool is_embedded = embed(0., Rest_limits(), 1);
+  bool is_embedded = embed(0., Rest_limits(), 1, true);
+  is_embedded = is_embedded || (has_descended && embed(0., Rest_limits(), 1)); // descents may leave less room
   for(const double guard : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2})
     is_embedded = is_embedded || embed(guard, {std::sqrt(std::sqrt(guard)), 0.1 * guard, false}, 1);
   Rest_limits without_shape;

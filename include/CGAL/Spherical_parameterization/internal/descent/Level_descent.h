@@ -39,6 +39,7 @@ struct Level_sweeps
 {
   std::size_t maximum = 0;
   double convergence_tolerance = 0.; // stops earlier if measurements differ by less; see Energy_summary::has_settled()
+  bool measures = true;              // whether faces are measured, for the radius and for convergence
 };
 
 // Extends a map through a hierarchy from the coarsest level to the finest one: on every level, the new vertices are
@@ -48,9 +49,8 @@ struct Level_sweeps
 // faces around them.
 //
 // A Plan determines the particulars of a map: the space, see Block_coordinate_descent, the step of a vertex, where a
-// new vertex is inserted, the number of sweeps over a level, and the radius. All levels minimize the average energy
-// (eq. 6): on a coarse level, a face may represent a whole extremity, and weighting the worst faces would misplace the
-// extremities.
+// new vertex is inserted, the number of sweeps over a level and what they minimize, the radius, and what else is done on
+// a level.
 template <class Plan>
 class Level_descent
 {
@@ -86,6 +86,7 @@ public:
       const bool has_settled = sweeps.maximum > 0 && relax(level, m_hierarchy.rings(k), local, sweeps);
       if(k == 0 && sweeps.maximum > 0)
         m_control.report().stop_reason = has_settled ? CONVERGED : ITERATION_LIMIT;
+      m_plan.finish_level(m_hierarchy, k, local, m_radius);
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       m_control.on_level(local.size());
@@ -131,13 +132,12 @@ private:
         m_execution, [&] { sets = Independent_sets(rings); }, find_densities); // each is sequential
     m_descent.assign(rings, sets, points, densities, m_limits);
     sets = Independent_sets();
-    const Face_objective objective;
     double last_average = 0.;
     for(std::size_t i = 0; i < sweeps.maximum; ++i)
     {
-      if(i % sweeps_per_measurement == 0)
+      if(sweeps.measures && i % sweeps_per_measurement == 0)
       {
-        const Energy_summary summary = m_descent.measure(local, m_radius, objective);
+        const Energy_summary summary = m_descent.measure(local, m_radius, Face_objective());
         m_plan.choose_radius(m_descent, m_radius);
         if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.convergence_tolerance) &&
            m_plan.may_end(m_descent.space()))
@@ -147,7 +147,7 @@ private:
       if(!m_control.go_further(0, last_average) && i > 0)
         break;
       m_plan.start_sweep(m_descent.space(), i, i + 1 == sweeps.maximum);
-      m_descent.sweep(local, m_radius, objective);
+      m_descent.sweep(local, m_radius, m_plan.objective(i));
       ++m_control.report().number_of_level_iterations;
     }
     return false;

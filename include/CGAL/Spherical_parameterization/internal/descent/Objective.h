@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -61,6 +62,7 @@ public:
     return m_current;
   }
 
+  bool is_relative() const { return m_rule.m_is_relative; }
   double dial() const { return m_rule.m_is_relative ? m_rule.m_first : 0.; }
 
   // Whether the sharpness has reached its final value.
@@ -98,6 +100,15 @@ public:
   }
 
   const Face_objective& of_faces() const { return m_faces; }
+
+  // The sharpness of the first phase, which is also that of coarse levels; none for a schedule.
+  static std::optional<Sharpness> initial_sharpness(const Sharpness& sharpness)
+  {
+    const Sharpness_rule rule(sharpness);
+    if(!rule.is_relative())
+      return std::nullopt;
+    return Sharpness::relative((std::min)(rule.dial(), max_initial_sharpness));
+  }
 
   // Sets a relative sharpness above that of Sharpness::balanced() to its final value, and returns whether this was
   // necessary. Starting from the map that has converged for the smaller value usually gives a lower largest energy.

@@ -58,7 +58,7 @@ private:
 // Computes the initial map, by the hierarchy unless that fails, and calls the visitor. If `shares` are given, they are
 // the prescribed areas of the vertices, instead of the areas on the surface.
 template <class Energy>
-void embed_surface(const Energy& energy, std::size_t sweeps_per_level, bool sweeps_finest_level, Run& run,
+void embed_surface(const Energy& energy, const Level_settings& settings, Run& run,
                    const std::vector<double>& shares = {});
 
 // Minimizes the objective by sweeps, starting from a bijection. The map of the last resort, above 1.7 million vertices,

@@ -37,12 +37,10 @@
 namespace CGAL::Spherical_parameterization::internal {
 
 template <class Energy>
-void embed_surface(const Energy& energy, std::size_t sweeps_per_level, bool sweeps_finest_level, Run& run,
-                   const std::vector<double>& shares)
+void embed_surface(const Energy& energy, const Level_settings& settings, Run& run, const std::vector<double>& shares)
 {
   run.control.on_initialization_begin(run.surface.number_of_vertices());
-  if(!embed_hierarchically(run.surface, energy, sweeps_per_level, sweeps_finest_level, run.positions, run.control,
-                           run.execution, shares))
+  if(!embed_hierarchically(run.surface, energy, settings, run.positions, run.control, run.execution, shares))
   {
     draw_surface(run);
     run.control.report().used_last_resort = true;
@@ -57,9 +55,11 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
 {
   Parameterization_report& report = run.control.report();
   const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
-  Descent_loop<Energy, Step> loop(run.surface, energy, Step(), sharpness, radius, settings, run.control, run.execution,
+  const Surface& surface = run.surface;
+  Descent_loop<Energy, Step> loop(surface.rings(), surface.points(), surface.unit(), Face_energy<Energy>(energy),
+                                  Step(), sharpness, radius, settings, run.control, run.execution,
                                   shares.empty() ? shares
-                                                 : vertex_densities(run.surface.rings(), run.surface.points(), shares));
+                                                 : vertex_densities(surface.rings(), surface.points(), shares));
   run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
   if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;
@@ -73,7 +73,7 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
                                      std::size_t, Run&, const std::vector<double>&);
 
 #define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS_BY(EXTERN, Energy)                                                    \
-  EXTERN template void embed_surface(const Energy&, std::size_t, bool, Run&, const std::vector<double>&);              \
+  EXTERN template void embed_surface(const Energy&, const Level_settings&, Run&, const std::vector<double>&);          \
   CGAL_SPHERICAL_PARAMETERIZATION_DESCENT(EXTERN, Energy, Newton_step)
 
 #define CGAL_SPHERICAL_PARAMETERIZATION_DESCENTS(EXTERN)                                                               \

@@ -38,6 +38,23 @@ namespace CGAL::Spherical_parameterization::internal {
 // normalized points neither overflow nor underflow, so later computations need not guard against it.
 int normalize(std::vector<Vector_3d>& points, Vector_3d* origin = nullptr);
 
+// The length 1 of a surface of the area 4 pi, in the caller's unit of length: factor * 2^exponent.
+struct Length_unit
+{
+  double factor = 1.;
+  int exponent = 0;
+
+  // The radius of the sphere that has the area of the surface, in the caller's unit. For a surface at the limits of the
+  // range of double, it is the radius of the largest representable sphere.
+  double equal_area_radius() const
+  {
+    return (std::min)(std::ldexp(factor, exponent), 0.25 * (std::numeric_limits<double>::max)());
+  }
+
+  // Converts a radius from the caller's unit.
+  double scaled_radius(double radius) const { return std::ldexp(radius, -exponent) / factor; }
+};
+
 // A closed triangle mesh of genus 0 as flat arrays: the points, scaled to the area 4 pi, and the rings of the vertices.
 //
 // It has its own vertex order: breadth first from the vertex that is farthest from the center, and around each vertex
@@ -80,15 +97,8 @@ public:
 
   std::size_t number_of_flat_faces() const { return m_number_of_flat_faces; }
 
-  // The radius of the sphere that has the area of the surface, in the caller's unit of length; this length is 1 here.
-  // For a surface at the limits of the range of double, it is the radius of the largest representable sphere.
-  double equal_area_radius() const
-  {
-    return (std::min)(std::ldexp(m_unit, m_exponent), 0.25 * (std::numeric_limits<double>::max)());
-  }
-
-  // Converts a radius from the caller's unit of length to that of the mesh.
-  double scaled_radius(double radius) const { return std::ldexp(radius, -m_exponent) / m_unit; }
+  const Length_unit& unit() const { return m_unit; }
+  double equal_area_radius() const { return m_unit.equal_area_radius(); }
 
 private:
   // Assigns final indices to the vertices of `rings` and m_points. Fails if the mesh is not connected.
@@ -102,8 +112,7 @@ private:
   Vertex_rings m_rings;
   std::vector<std::uint32_t> m_originals; // the indices of the vertices in the caller's arrays
   std::size_t m_number_of_flat_faces = 0;
-  double m_unit = 1.; // the length 1 here is m_unit * 2^m_exponent in the caller's unit
-  int m_exponent = 0;
+  Length_unit m_unit;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

@@ -65,7 +65,7 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE int normalize(std::vector<Vector_3d>& poi
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE Error_code Surface::assign(std::vector<Vector_3d> points,
                                                                   const std::vector<Linked_triangle>& triangles)
 {
-  m_exponent = normalize(points);
+  m_unit.exponent = normalize(points);
   m_points = std::move(points);
   Vertex_rings rings;
   if(!build_rings(triangles, m_points.size(), rings))
@@ -151,9 +151,9 @@ CGAL_SPHERICAL_PARAMETERIZATION_INLINE void Surface::scale_to_area_of_unit_spher
     area += 0.5 * length(cross(m_points[b] - m_points[a], m_points[c] - m_points[a]));
   });
   // A surface without area is measured by its extent, which is about 1 after normalize().
-  m_unit = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * CGAL_PI)) : 1.;
+  m_unit.factor = area > (std::numeric_limits<double>::min)() ? std::sqrt(area / (4. * CGAL_PI)) : 1.;
   for(Vector_3d& p : m_points)
-    p = (1. / m_unit) * p;
+    p = (1. / m_unit.factor) * p;
   m_rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     m_number_of_flat_faces += Rest_triangle::is_too_flat(m_points[a], m_points[b], m_points[c]);
   });
