@@ -72,7 +72,7 @@ class Judge(unittest.TestCase):
         self.assertEqual(self.objection(octahedron((0.3, 0.2, 2.0)), octahedron((0.6, 0.0, 0.8))), "")
         mirrored = Mesh(-mesh.vertices, mesh.faces)
         self.assertEqual(self.objection(mesh, mirrored, may_be_mirrored=True), "")
-        self.assertIn("8 of 8 faces are folded", self.objection(mesh, mirrored))
+        self.assertIn("8 of 8 faces are inverted", self.objection(mesh, mirrored))
         for scale in (1e-300, 1e300):
             scaled = Mesh(scale * mesh.vertices, mesh.faces)
             self.assertEqual(self.objection(scaled, scaled), "")
@@ -80,9 +80,9 @@ class Judge(unittest.TestCase):
 
     def test_what_is_none(self):
         mesh = octahedron()
-        self.assertIn("4 of 8 faces are folded", self.objection(mesh, octahedron((0.6, 0.0, -0.8))))
+        self.assertIn("4 of 8 faces are inverted", self.objection(mesh, octahedron((0.6, 0.0, -0.8))))
         on_equator = octahedron((0.6, 0.8, 0.0))
-        self.assertIn("4 of 8 faces are folded", self.objection(mesh, on_equator))
+        self.assertIn("4 of 8 faces are inverted", self.objection(mesh, on_equator))
         self.assertIn("on no sphere", self.objection(mesh, octahedron((0.0, 0.0, 1.001))))
         self.assertIn("cover the sphere 2 times", self.objection(double_cover(), double_cover()))
         opened = octahedron(faces=FACES[:-1])
@@ -93,11 +93,11 @@ class Judge(unittest.TestCase):
     def test_exact_signs(self):
         """A vertex on an edge, or as little beside it as doubles can distinguish."""
         shear = np.array([[1.0, 3.0, 7.0], [0.0, 1.0, 5.0], [0.0, 0.0, 1.0]])  # no sign changes, but much cancels
-        for z, number_folded in ((0.0, 4), (5e-324, 0), (-5e-324, 4), (2.0**-50, 0), (-(2.0**-50), 4)):
+        for z, number_inverted in ((0.0, 4), (5e-324, 0), (-5e-324, 4), (2.0**-50, 0), (-(2.0**-50), 4)):
             sphere = octahedron((0.5, 0.5, z))
             if abs(z) > 1e-300:
                 sphere = Mesh(sphere.vertices @ shear, sphere.faces)
-            self.assertEqual(map_between(octahedron(), sphere).number_folded, number_folded, z)
+            self.assertEqual(map_between(octahedron(), sphere).number_inverted, number_inverted, z)
 
     def test_distortions(self):
         distortion = map_between(octahedron(), octahedron((0.6, 0.0, 0.8))).distortion()
@@ -150,8 +150,8 @@ class Programs(WithFolder):
         self.assertEqual(self.verdict(copy)[0], "certified")
         self.assertEqual(self.verdict("cp {input.obj} {output.obj}")[0], "certified")
         self.assertEqual(self.verdict("cp {input.ply} {output}")[0], "no map")
-        folded = self.write("folded.ply", octahedron((0.6, 0.0, -0.8)))
-        self.assertEqual(self.verdict(f"cp '{folded}' {{output.ply}} # {{input}}")[0], "folds")
+        inverted = self.write("inverted.ply", octahedron((0.6, 0.0, -0.8)))
+        self.assertEqual(self.verdict(f"cp '{inverted}' {{output.ply}} # {{input}}")[0], "not bijective")
         self.assertEqual(self.verdict("echo {input}: bad luck >&2; exit 1 # {output}"), ("refused", "bad luck"))
         self.assertEqual(self.verdict("true {input} {output}"), ("no map", "succeeded, but wrote no map"))
         self.assertEqual(self.verdict("./no_such {input} {output}")[0], "not run")
@@ -172,14 +172,14 @@ class Programs(WithFolder):
         self.assertLess(run_command(["/bin/true"]).peak_bytes, 3e7)  # and not the memory of this process
 
     def test_robustness(self):
-        for name, top in (("hard_a", 1.0), ("folded", -0.8), ("invalid_b", 1.0)):
+        for name, top in (("hard_a", 1.0), ("inverted", -0.8), ("invalid_b", 1.0)):
             self.write(f"{name}.off", octahedron((0.6 * (top < 0.0), 0.0, top)))
         command = "case {input} in *invalid*) exit 1;; esac; cp {input} {output}"
         answer = run_driver("Robustness/robustness_benchmark.py", "--program", command, "--list", self.folder)
         self.assertEqual(answer.returncode, 1, answer.stderr)
         self.assertRegex(answer.stdout, r"\| all +\| +3 \| +1 \| +1 \| +1 \|")
         self.assertRegex(answer.stdout, r"hard_\* +\| +1 \| +1 \| +0 \| +0 \|")
-        self.assertIn("folded.off: 4 of 8 faces are folded", answer.stdout)
+        self.assertIn("inverted.off: 4 of 8 faces are inverted", answer.stdout)
 
     def test_comparison(self):
         mesh, tilted = self.write("mesh.off", octahedron()), self.write("tilted.off", octahedron((0.6, 0.0, 0.8)))

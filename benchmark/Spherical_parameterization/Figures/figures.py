@@ -64,7 +64,7 @@ class Mapped:
         self._images = turned_like(mesh.vertices, run.map.unit_images, mesh.faces)
         self._view = view_of_surface(mesh.vertices, model.direction, model.up)
         # At the radius of eq. 11, which makes maps comparable.
-        self.colors = SCALE.of_faces(run.distortion.isometric_of_faces, run.map.is_folded)
+        self.colors = SCALE.of_faces(run.distortion.isometric_of_faces, run.map.is_inverted)
 
     def surface(self, colors_of: Paint, size: int) -> np.ndarray:
         return paint(self._vertices, self._faces, self._view, size, colors_of, self._images)
@@ -364,8 +364,8 @@ def methods(session: Session, *names: str) -> Sheet:
         for j, name in enumerate(names):
             mapped, y = session.map(name, *options), 90 + height * j
             sheet.place(mapped.surface(mapped.colors, sheet.pixels(220)), x + 30, y)
-            folded = mapped.run.map.number_folded
-            lines = _extremes(mapped.run.distortion.isometric, "\n") + (f"\n{folded:,} folded" if folded else "\n")
+            inverted = mapped.run.map.number_inverted
+            lines = _extremes(mapped.run.distortion.isometric, "\n") + (f"\n{inverted:,} inverted" if inverted else "\n")
             sheet.text(x + 0.5 * width, y + 280, lines)
     sheet.color_bar(400, 90 + height * len(names), 600, SCALE, ISOMETRIC_LABEL)
     return sheet

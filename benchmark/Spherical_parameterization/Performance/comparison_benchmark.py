@@ -38,7 +38,7 @@ from measuring.reports import geometric_mean, number, table
 MAX_DEVIATION = 1e-4
 
 NAMES = {"mesh": "mesh", "program": "program", "judgement": "judgement"}
-FIGURES = {"folded": 0, "D_iso max": 3, "D_iso avg": 3, "best D_iso max": 3, "best D_iso avg": 3}  # with so many digits
+FIGURES = {"inverted": 0, "D_iso max": 3, "D_iso avg": 3, "best D_iso max": 3, "best D_iso avg": 3}  # with so many digits
 FIGURES |= {"D_angle max": 3, "D_angle avg": 3}
 COSTS = {"CPU seconds": 3, "seconds": 3, "MB": 0}
 COMPARED = ["CPU seconds", *list(FIGURES)[1:]]
@@ -98,7 +98,7 @@ def run_all(programs: list[MappingProgram], file: MeshFile, repetitions: int) ->
         row = {"mesh": file.name, "program": program.name, "judgement": first.verdict, "reason": first.reason}
         if first.map is not None:
             distortion = first.map.distortion()
-            row |= {"folded": first.map.number_folded}
+            row |= {"inverted": first.map.number_inverted}
             row |= {"D_iso max": distortion.isometric.maximum, "D_iso avg": distortion.isometric.average}
             best = first.map.distortion(first.map.best_radius).isometric
             row |= {"best D_iso max": best.maximum, "best D_iso avg": best.average}
@@ -116,7 +116,7 @@ def run_all(programs: list[MappingProgram], file: MeshFile, repetitions: int) ->
 
 def summary(name: str, rows: list[dict]) -> dict:
     """Counts, and the means over the meshes that this program and the first one map bijectively."""
-    counts = {what: sum(row["judgement"] == what for row in rows) for what in ("certified", "folds")}
+    counts = {what: sum(row["judgement"] == what for row in rows) for what in ("certified", "not bijective")}
     common = [row for row in rows if "CPU seconds ratio" in row]
     ratios = {ratio: geometric_mean([row[ratio] for row in common]) for ratio in RATIOS if common}
     failed = {"failed": len(rows) - sum(counts.values()), "in common": len(common)}

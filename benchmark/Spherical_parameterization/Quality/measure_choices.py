@@ -217,7 +217,7 @@ class Figures:
         if figure == "radius":
             return f"{run.report['radius']:.4f}"
         if not run.report["one_to_one"]:
-            return f"{run.map.number_folded:,} inverted"
+            return f"{run.map.number_inverted:,} inverted"
         # Maps to the unit sphere are compared at the radius of eq. 11.
         distortion = run.distortion if "balanced" in run.report else run.own_distortion
         values = getattr(distortion, {"D_iso": "isometric", "D_area": "area", "D_angle": "angle"}[figure])

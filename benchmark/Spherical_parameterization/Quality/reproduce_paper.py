@@ -97,7 +97,7 @@ def head(session: Session, options: argparse.Namespace, passed: float) -> list[s
     how = (
         "How it is measured: all figures are computed by this driver from the mesh and the sphere that the program"
         " wrote, by eq. 12 to 14 and without weights, at the radius of eq. 11 of each map where nothing else is said:"
-        " the paper, too, compares maps at one radius. A face is folded if det(u0, u1, u2) <= 0, decided exactly; its"
+        " the paper, too, compares maps at one radius. A face is inverted if det(u0, u1, u2) <= 0, decided exactly; its"
         " distortion is that of the flat triangle without its sign. Seconds are those of the program's own report,"
         " from reading the file to writing it; CPU seconds are the process's, of all threads. The program's own"
         f" figures of the same maps differ from the driver's by at most {difference:.1e}, relatively. A command that"

@@ -2,8 +2,8 @@
 """Runs a program on meshes (OFF, PLY, OBJ), judges what it writes, and counts the results.
 
 A map is certified if the exit status is 0 and the file holds a one-to-one map of the same faces onto a sphere around
-the origin, by exact arithmetic. A mesh is refused if the exit status is another one. All else is wrong: a map that
-folds, no map, a crash, a limit reached. Fails if anything is wrong. D_iso is at the radius of eq. 11.
+the origin, by exact arithmetic. A mesh is refused if the exit status is another one. All else is wrong: a map that is
+not bijective, no map, a crash, a limit reached. Fails if anything is wrong. D_iso is at the radius of eq. 11.
 """
 
 from __future__ import annotations

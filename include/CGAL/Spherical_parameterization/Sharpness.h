@@ -56,7 +56,7 @@ class Sharpness_rule;
 ///   | \f$ \beta \f$ | 0 | 3 | 6 | 12 | 20 | 40 | 100 |
 ///   | :------ | -: | -: | -: | -: | -: | -: | -: |
 ///   | maximum | 1 | 0.74 | 0.69 | 0.66 | 0.64 | 0.63 | 0.62 |
-///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.04 | 1.06 | 1.09 |
+///   | average | 1 | 1.01 | 1.02 | 1.03 | 1.05 | 1.06 | 1.09 |
 ///
 /// - <b>A schedule</b> of absolute values, as in the paper: \f$ s = 0 \f$ first, then values from 0.1 to 10 by default.
 ///   The first phase ends when a sweep decreases the average energy by less than one thousandth, or after a given

@@ -9,7 +9,7 @@ import numpy as np
 from measuring.meshes import MeshFile
 from measuring.pictures import Scale, paint, turned_like, view_of_surface
 from measuring.reports import DOTS_PER_INCH, Report, number, seconds, statistics, table
-from measuring.runs import FOLDS, Program, Run
+from measuring.runs import NOT_BIJECTIVE, Program, Run
 
 from .models import Library
 
@@ -24,7 +24,7 @@ EDGE_WIDTH = 0.6  # pixels
 METHOD, MESH, SIZE = {"method": "Method"}, {"mesh": "Mesh"}, {"size": "Vertices"}
 ISOMETRIC = {"isometric": "D_iso max / avg / dev"}
 ANGLE = {"angle": "D_angle max / avg / dev"}
-ABOVE, FOLDED = {"above": "Faces above BLD's max"}, {"folded": "Folded"}
+ABOVE, INVERTED = {"above": "Faces above BLD's max"}, {"inverted": "Inverted"}
 SWEEPS, SECONDS = {"sweeps": "Sweeps", "stop": "Ended"}, {"seconds": "Seconds"}
 
 
@@ -112,7 +112,7 @@ class Experiment:
             axes.set(xticks=[], yticks=[], frame_on=False)
             axes.set_xlabel(text, fontsize=8)
             axes.imshow(_surface_and_sphere(run, measure, scale, size, EDGE_WIDTH * has_edges))
-        label = f"D_{'angle' if measure == 'angle' else 'iso'}; magenta: folded"
+        label = f"D_{'angle' if measure == 'angle' else 'iso'}; magenta: inverted"
         scale.add_bar(figure, ax=all_axes, aspect=25, label=label, pad=0.01)
         figure.savefig(self.report.folder / f"{self.name}.png", dpi=DOTS_PER_INCH)
         plt.close(figure)
@@ -124,7 +124,7 @@ class Experiment:
             self.report.paragraph(table(columns, self.rows))
         self.rows = []
 
-    def finish(self, columns: dict[str, str], tells_folds: bool = True) -> None:
+    def finish(self, columns: dict[str, str], tells_inverted: bool = True) -> None:
         """Ends the section: the last table, the CSV file, and what failed, in the words of the program."""
         self.tabulate(columns)
         self.report.csv(f"{self.name}.csv", self.records)
@@ -132,7 +132,7 @@ class Experiment:
         for run in self.runs:
             if not run.has_map:
                 failures.append(f"{run.mesh.name}, `{run.command}`: no map. {run.message}")
-            elif run.exit_status == FOLDS and tells_folds:
+            elif run.exit_status == NOT_BIJECTIVE and tells_inverted:
                 failures.append(f"{run.mesh.name}, `{run.command}`: a map that is not one-to-one. {run.message}")
         self.report.items(failures)
         self.session.forget_maps()
@@ -146,7 +146,7 @@ def shown(run: Run) -> dict:
         return row | {"isometric": "no map"}
     row |= {name: statistics(getattr(run.distortion, name)) for name in ("isometric", "area", "angle")}
     row |= {"own": statistics(run.own_distortion.isometric), "radius": number(run.map.own_radius, 5)}
-    return row | {"folded": f"{run.map.number_folded:,}"}
+    return row | {"inverted": f"{run.map.number_inverted:,}"}
 
 
 def count_above(run: Run, bound: Run, measure: str) -> int | None:
@@ -158,11 +158,11 @@ def count_above(run: Run, bound: Run, measure: str) -> int | None:
 
 
 def caption_of(run: Run, measure: str, above: int | None) -> str:
-    """The paper's figures: maximum, average, faces above a bound, folded ones."""
+    """The paper's figures: maximum, average, faces above a bound, inverted ones."""
     if not run.has_map:
         return "no map"
     values = getattr(run.distortion, measure)
-    counts = [f"{count:,}" for count in (above, run.map.number_folded) if count is not None]
+    counts = [f"{count:,}" for count in (above, run.map.number_inverted) if count is not None]
     return f"({', '.join([number(values.maximum, 2), number(values.average, 2), *counts])})"
 
 
@@ -170,7 +170,7 @@ def _surface_and_sphere(run: Run, measure: str, scale: Scale, size: int, edge_wi
     if not run.has_map:
         return np.ones((size, 2 * size, 3))
     mesh = run.mesh.mesh
-    colors = scale.of_faces(getattr(run.distortion, f"{measure}_of_faces"), run.map.is_folded)
+    colors = scale.of_faces(getattr(run.distortion, f"{measure}_of_faces"), run.map.is_inverted)
     view = view_of_surface(mesh.vertices)
     sphere = turned_like(mesh.vertices, run.map.unit_images, mesh.faces)
     parts = ((mesh.vertices, view), (sphere, view.of_sphere()))

@@ -10,7 +10,7 @@ from measuring.meshes import MeshFile
 from measuring.reports import Curve, Diagram, draw, geometric_mean, listed, number, percent, seconds, statistics
 from measuring.runs import CERTIFIED, FAILED, Run
 
-from .experiment import ABOVE, ANGLE, BLD, CONVERGED, DEFAULT, FOLDED, FULL_SWEEPS, ISOMETRIC, MESH, METHOD, PACKAGE
+from .experiment import ABOVE, ANGLE, BLD, CONVERGED, DEFAULT, INVERTED, FULL_SWEEPS, ISOMETRIC, MESH, METHOD, PACKAGE
 from .experiment import SECONDS, SHORT_SWEEPS, SIZE, SWEEPS, Experiment, Session
 from .models import MODELS, SAME_COUNT, TABLE_1
 from .paper_values import COUNTS
@@ -41,13 +41,13 @@ def table_1(session: Session) -> None:
     experiment = Experiment(
         session,
         "table1",
-        "Table 1: distortion, folded faces and seconds",
+        "Table 1: distortion, inverted faces and seconds",
         "Each model as it was found, and in a copy with as many vertices as the paper's. Rows in italics repeat the"
-        " paper: another mesh of that model, on another machine. Maps with folds can have any area at a face that is"
+        " paper: another mesh of that model, on another machine. Maps with inverted faces can have any area at a face that is"
         " about to turn, and so any radius of eq. 11; the last column has the same map at the radius that the method"
         " gave it.",
     )
-    columns = METHOD | MESH | SIZE | ISOMETRIC | {"area": "D_area max / avg / dev"} | ANGLE | FOLDED | SECONDS
+    columns = METHOD | MESH | SIZE | ISOMETRIC | {"area": "D_area max / avg / dev"} | ANGLE | INVERTED | SECONDS
     columns |= {"cpu_seconds": "CPU seconds"} | SWEEPS | {"own": "D_iso max / avg / dev at the map's own radius"}
     of_models = {name: session.library.copies(name) for name in TABLE_1}
     if not any(of_models.values()):
@@ -66,7 +66,7 @@ def table_1(session: Session) -> None:
             if of_model == model:
                 measures = {name: statistics(getattr(row, name), 2) for name in ("isometric", "area", "angle")}
                 texts = {"method": method, "mesh": "the paper's mesh and machine", "size": f"{COUNTS[model][0]:,}"}
-                texts |= measures | {"folded": f"{row.folded:,g}"}
+                texts |= measures | {"inverted": f"{row.inverted:,g}"}
                 texts |= {"seconds": "–" if row.seconds is None else seconds(row.seconds)}
                 experiment.rows.append({key: f"*{text}*" for key, text in texts.items()})
         experiment.tabulate(columns)
@@ -297,13 +297,13 @@ def _compare_tessellations(
             for what, maximum, average in others
         ]
         experiment.add_text(f"{method}, against the first mesh: {'; '.join(changes)}.")
-    caption = f"Figure {figure}: in brackets D_iso max, D_iso avg and folded faces."
+    caption = f"Figure {figure}: in brackets D_iso max, D_iso avg and inverted faces."
     experiment.draw(caption, list(two), 3.0, has_edges=has_edges)
     experiment.add_text(
         "The averages of eq. 12 are over faces, so they lean to where the faces are small; that by area does not."
     )
     columns = MESH | {"what": "Tessellation"} | SIZE | METHOD | ISOMETRIC | {"weighted": "D_iso avg by area"}
-    experiment.finish(columns | FOLDED | SWEEPS | SECONDS)
+    experiment.finish(columns | INVERTED | SWEEPS | SECONDS)
 
 
 def figure_6(session: Session) -> None:
@@ -329,7 +329,7 @@ def figure_6(session: Session) -> None:
         runs = experiment.run_methods(file, schedules, bound=last)
         ranked = sorted((run.row["isometric_maximum"], name[:3]) for name, run in runs.items() if run.has_map)
         experiment.add_text(f"{file.name}, by the maximum: {', '.join(f'{name} {number(x)}' for x, name in ranked)}.")
-    caption = "Figure 6: in brackets D_iso max, D_iso avg, faces above the maximum of (e), folded faces."
+    caption = "Figure 6: in brackets D_iso max, D_iso avg, faces above the maximum of (e), inverted faces."
     experiment.draw(caption, [name.replace(", then", ",\nthen") for name in schedules], 8.0)
     experiment.finish(MESH | METHOD | ISOMETRIC | {"above": "Faces above (e)'s max"} | SWEEPS | SECONDS)
 
@@ -378,13 +378,13 @@ def _figure_of_methods(session: Session, figure: str, kind: str, names: tuple[st
         f"figure{figure}",
         f"Figure {figure}: the methods on {kind} models",
         "The maps of Table 1, of the copies as found where there are such. The surface on the left and the sphere on"
-        f" the right have the same colors, D_iso from 1 to {high:g}; folded faces are magenta. In brackets: D_iso"
-        " max, D_iso avg, the number of faces above the maximum of BLD in paper mode, the number of folded faces.",
+        f" the right have the same colors, D_iso from 1 to {high:g}; inverted faces are magenta. In brackets: D_iso"
+        " max, D_iso avg, the number of faces above the maximum of BLD in paper mode, the number of inverted faces.",
     )
     for file in session.library.some(names[:1] if session.is_short else names, f"Figure {figure}"):
         experiment.run_methods(file, methods(session), bound=BLD)
     experiment.draw(f"Figure {figure}: {', '.join(methods(session))}.", list(methods(session)), high)
-    experiment.finish(MESH | METHOD | ISOMETRIC | ABOVE | FOLDED, tells_folds=False)
+    experiment.finish(MESH | METHOD | ISOMETRIC | ABOVE | INVERTED, tells_inverted=False)
 
 
 def figure_10(session: Session) -> None:
@@ -408,8 +408,8 @@ def figure_10(session: Session) -> None:
     del of_figure["ARAP"]
     for file in files:
         experiment.run_methods(file, of_figure)
-    experiment.draw("Figure 10: in brackets D_iso max, D_iso avg and folded faces.", list(of_figure), 3.0)
-    experiment.finish(MESH | SIZE | METHOD | ISOMETRIC | FOLDED | SWEEPS | SECONDS)
+    experiment.draw("Figure 10: in brackets D_iso max, D_iso avg and inverted faces.", list(of_figure), 3.0)
+    experiment.finish(MESH | SIZE | METHOD | ISOMETRIC | INVERTED | SWEEPS | SECONDS)
 
 
 def figure_11(session: Session) -> None:
@@ -418,7 +418,7 @@ def figure_11(session: Session) -> None:
         "figure11",
         "Figure 11: conformal maps",
         "BLD with the conformal energy against the classical conformal map, which promises no bijection. D_angle is 2"
-        " at best. The paper: Conformal folds at the ears of the bunny and the fingers of the hand, and has no bound on"
+        " at best. The paper: Conformal is not bijective at the ears of the bunny and the fingers of the hand, and has no bound on"
         " the maximum.",
     )
     bld = "BLD of the package, conformal energy"
@@ -430,12 +430,12 @@ def figure_11(session: Session) -> None:
             a, b = (run.row for run in runs.values())
             experiment.add_text(
                 f"{file.name}: BLD's maximum is {number(b['angle_maximum'] / a['angle_maximum'])} times Conformal's,"
-                f" its average {number(b['angle_average'] / a['angle_average'], 4)} times; folded faces"
-                f" {a['folded_faces']:,} with Conformal, {b['folded_faces']:,} with BLD."
+                f" its average {number(b['angle_average'] / a['angle_average'], 4)} times; inverted faces"
+                f" {a['inverted_faces']:,} with Conformal, {b['inverted_faces']:,} with BLD."
             )
-    caption = "Figure 11: in brackets D_angle max, D_angle avg, faces above the maximum of BLD, folded faces."
+    caption = "Figure 11: in brackets D_angle max, D_angle avg, faces above the maximum of BLD, inverted faces."
     experiment.draw(caption, list(two), 4.0, "angle")
-    experiment.finish(MESH | SIZE | METHOD | ANGLE | ABOVE | FOLDED | SWEEPS | SECONDS)
+    experiment.finish(MESH | SIZE | METHOD | ANGLE | ABOVE | INVERTED | SWEEPS | SECONDS)
 
 
 def yardstick(session: Session) -> None:
@@ -467,7 +467,7 @@ def yardstick(session: Session) -> None:
             text += " of the converged default's" if excess <= CLOSE else " than the converged default's"
             text += f"; with as many sweeps as it takes {number(maxima[longer])}." if longer in maxima else "."
             experiment.add_text(text)
-    experiment.finish(MESH | METHOD | ISOMETRIC | FOLDED | {"across": "Across"} | SWEEPS | SECONDS)
+    experiment.finish(MESH | METHOD | ISOMETRIC | INVERTED | {"across": "Across"} | SWEEPS | SECONDS)
 
 
 def certificates(session: Session) -> None:
@@ -476,9 +476,9 @@ def certificates(session: Session) -> None:
         session,
         "certificates",
         "Every method on every mesh",
-        "The exit status of the program on all meshes of the folder, against this driver's own exact count of folded"
-        " faces. ✓: a certified bijection, and no face is folded; n folds: the method says that its map is not"
-        " one-to-one, and n faces are folded; –: no map, for the reason given below.",
+        "The exit status of the program on all meshes of the folder, against this driver's own exact count of inverted"
+        " faces. ✓: a certified bijection, and no face is inverted; n inverted: the method says that its map is not"
+        " one-to-one, and n faces are inverted; –: no map, for the reason given below.",
     )
     every = BIJECTIVE | WITHOUT_PROMISE
     counts = dict.fromkeys(every, 0)
@@ -488,14 +488,14 @@ def certificates(session: Session) -> None:
         row = {"mesh": file.name}
         for name, options in every.items():
             run = experiment.run(file, options, method=name)
-            folded = run.row.get("folded_faces", 0)
+            inverted = run.row.get("inverted_faces", 0)
             counts[name] += run.exit_status == CERTIFIED
             if run.exit_status == CERTIFIED:
-                row[name] = f"✗ {folded:,} folded" if folded else "✓"
+                row[name] = f"✗ {inverted:,} inverted" if inverted else "✓"
             else:
-                row[name] = "–" if run.exit_status == FAILED or not run.has_map else f"{folded:,} folds"
+                row[name] = "–" if run.exit_status == FAILED or not run.has_map else f"{inverted:,} inverted"
         rows.append(row)
         session.forget_maps()
     experiment.add_text(f"Certified of {len(files)}: {listed([f'{name} {count}' for name, count in counts.items()])}.")
     experiment.rows = rows
-    experiment.finish(MESH | {name: name for name in every}, tells_folds=False)
+    experiment.finish(MESH | {name: name for name in every}, tells_inverted=False)

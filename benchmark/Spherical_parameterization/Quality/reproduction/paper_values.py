@@ -12,7 +12,7 @@ class PaperRow:
     isometric: Statistics
     area: Statistics
     angle: Statistics
-    folded: float  # a count, but one of them is printed as 396.45
+    inverted: float  # a count, but one of them is printed as 396.45
     seconds: float | None  # not given for Hierarchical
 
 
@@ -27,7 +27,7 @@ COUNTS = {  # of vertices and faces
     "cow": (23023, 46042),
 }
 
-# Model, method; D_iso, D_area and D_angle, each maximum/average/deviation; folded faces, seconds
+# Model, method; D_iso, D_area and D_angle, each maximum/average/deviation; inverted faces, seconds
 _TEXT = """
 fandisk   Harmonic     146.69/2.51/4.42      357.55/4.49/10.94     60.04/2.56/1.83       0       5.87
 fandisk   Hierarchical 3.94/1.48/0.27        2.81/2.03/0.10        6.64/2.52/0.49        0       -
@@ -64,9 +64,9 @@ cow       BLD          3.99/2.45/0.48        6.28/2.49/0.76        6.74/3.83/0.9
 """
 
 
-def _row(isometric: str, area: str, angle: str, folded: str, seconds: str) -> PaperRow:
+def _row(isometric: str, area: str, angle: str, inverted: str, seconds: str) -> PaperRow:
     values = [Statistics(*map(float, text.split("/"))) for text in (isometric, area, angle)]
-    return PaperRow(*values, float(folded), None if seconds == "-" else float(seconds))
+    return PaperRow(*values, float(inverted), None if seconds == "-" else float(seconds))
 
 
 TABLE_1 = {tuple(line.split()[:2]): _row(*line.split()[2:]) for line in _TEXT.strip().splitlines()}

@@ -90,7 +90,7 @@ class MappingProgram:
         except MeshError as error:
             return Mapping("no map", str(error), outcome)
         reason = spherical_map.objection(max_deviation)
-        verdict = "folds" if spherical_map.number_folded else "no map" if reason else "certified"
+        verdict = "not bijective" if spherical_map.number_inverted else "no map" if reason else "certified"
         return Mapping(verdict, reason, outcome, spherical_map)
 
 

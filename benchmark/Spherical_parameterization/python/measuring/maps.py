@@ -2,7 +2,7 @@
 
 Nothing of the package is used here, because the package is what is judged. A face is measured as the flat triangle
 between the images of its vertices. The sign of its orientation is left out of the distortion and counted apart, as
-folded: the paper's tables do the same, or their maxima could not be finite.
+inverted: the paper's tables do the same, or their maxima could not be finite.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Distortion:
 class SphericalMap:
     """A map, with all that is measured of it.
 
-    A map may be mirrored as a whole if `may_be_mirrored`; else a face is folded if det(u0, u1, u2) <= 0.
+    A map may be mirrored as a whole if `may_be_mirrored`; else a face is inverted if det(u0, u1, u2) <= 0.
     """
 
     def __init__(self, mesh: Mesh, images: np.ndarray, may_be_mirrored: bool = False):
@@ -62,13 +62,13 @@ class SphericalMap:
         self.unit_images = scaled_images / np.where(lengths > 0.0, lengths, 1.0)[:, None]
         signs = _orientations(images, scaled_images, mesh.faces)
         is_mirrored = may_be_mirrored and np.count_nonzero(signs < 0) > np.count_nonzero(signs > 0)
-        self.is_folded = signs >= 0 if is_mirrored else signs <= 0
+        self.is_inverted = signs >= 0 if is_mirrored else signs <= 0
         self._smallest, self._largest, self._is_measured = self._stretch()
         self.number_left_out = int(np.count_nonzero(~self._is_measured))
 
     @property
-    def number_folded(self) -> int:
-        return int(np.count_nonzero(self.is_folded))
+    def number_inverted(self) -> int:
+        return int(np.count_nonzero(self.is_inverted))
 
     def objection(self, max_deviation: float = 1e-6) -> str:
         """Why this is no one-to-one map onto a sphere around the origin; empty if it is one.
@@ -83,8 +83,8 @@ class SphericalMap:
             return f"the mesh is no closed surface: {self._mesh.objection()}"
         if not self._lengths.min() > (1.0 - max_deviation) * self._lengths.max():
             return "the images are on no sphere around the origin"
-        if self.number_folded > 0:
-            return f"{self.number_folded} of {len(self.is_folded)} faces are folded over or have no area"
+        if self.number_inverted > 0:
+            return f"{self.number_inverted} of {len(self.is_inverted)} faces are inverted or have no area"
         degree = self._solid_angle() / (4.0 * np.pi)
         return "" if abs(degree - 1.0) < 0.01 else f"the faces cover the sphere {round(degree)} times"
 

@@ -31,7 +31,7 @@ EDGE_STRENGTH = 0.75  # of black
 
 # Perceptually uniform. The darkest part is left out, in which the shape would not be seen.
 COLORS = ListedColormap(matplotlib.colormaps["viridis"](np.linspace(0.12, 1.0, 256)))
-FOLDED_COLOR = to_rgb("#e4006e")  # a hue that the scale does not have
+INVERTED_COLOR = to_rgb("#e4006e")  # a hue that the scale does not have
 
 # Colors of faces, or a function from points of the sphere to colors
 Paint = Union[np.ndarray, Callable[[np.ndarray], np.ndarray]]
@@ -189,11 +189,11 @@ class Scale:
     low: float
     high: float  # what is above has the last color
 
-    def of_faces(self, values: np.ndarray, is_folded: np.ndarray) -> np.ndarray:
+    def of_faces(self, values: np.ndarray, is_inverted: np.ndarray) -> np.ndarray:
         """Red, green and blue in [0, 1]; what is not finite counts as large."""
         finite = np.nan_to_num(values, nan=self.high, posinf=self.high)
         colors = COLORS(LogNorm(self.low, self.high)(np.clip(finite, self.low, self.high)))[:, :3]
-        colors[is_folded] = FOLDED_COLOR
+        colors[is_inverted] = INVERTED_COLOR
         return colors
 
     def add_bar(self, figure, **options):

@@ -14,7 +14,7 @@ from .commands import run_command
 from .maps import Distortion, SphericalMap, map_between
 from .meshes import MeshError, MeshFile, checksum, read_mesh
 
-CERTIFIED, FAILED, FOLDS = 0, 1, 2  # exit status of the program
+CERTIFIED, FAILED, NOT_BIJECTIVE = 0, 1, 2  # exit status of the program
 STAGES = {  # from the mesh in memory to the certified map, by their names in the program's report
     "reading": "copy",
     "hierarchy": "hierarchy",
@@ -102,7 +102,7 @@ class Run:
         row |= {name: getattr(self, name) for name in names.split()}
         if self.has_map:
             row |= {"radius_eq11": self.distortion.radius, "own_radius": self.map.own_radius}
-            row |= {"folded_faces": self.map.number_folded, "faces_left_out": self.map.number_left_out}
+            row |= {"inverted_faces": self.map.number_inverted, "faces_left_out": self.map.number_left_out}
             row |= {"difference_to_program": self.disagreement}
             for prefix, distortion in (("", self.distortion), ("own_radius_", self.own_distortion)):
                 for name in ("isometric", "area", "angle"):
@@ -159,9 +159,9 @@ class Program:
         """Runs in which the program said one thing and its map another."""
         lines = []
         for run in self.runs:
-            name, folded = f"{run.mesh.name}, `{run.command}`", run.row.get("folded_faces")
-            if run.exit_status == CERTIFIED and folded:
-                lines.append(f"{name}: exit status 0, but {folded} faces are folded")
+            name, inverted = f"{run.mesh.name}, `{run.command}`", run.row.get("inverted_faces")
+            if run.exit_status == CERTIFIED and inverted:
+                lines.append(f"{name}: exit status 0, but {inverted} faces are inverted")
             if run.exit_status != FAILED and not run.has_map:
                 lines.append(f"{name}: {run.message}")
             if run.report.get("one_to_one", run.exit_status == CERTIFIED) != (run.exit_status == CERTIFIED):
@@ -175,7 +175,7 @@ class Program:
             file.unlink(missing_ok=True)
         command = [self.path, mesh.path, "-o", sphere, "--json", report, "--quiet", "--threads", self.threads]
         outcome = run_command([*command, *arguments], self._max_seconds)
-        is_done = outcome.status in (CERTIFIED, FOLDS)
+        is_done = outcome.status in (CERTIFIED, NOT_BIJECTIVE)
         status, has_map = outcome.status, is_done and sphere.exists() and report.exists()
         message = outcome.message.replace(str(mesh.path), mesh.path.name).removeprefix("spherical_parameterization: ")
         if is_done and not has_map:
@@ -197,7 +197,7 @@ class Program:
             return None  # it may come further now
         if stored != self._settings(mesh, arguments):
             return None
-        has_map = values["exit_status"] in (CERTIFIED, FOLDS)
+        has_map = values["exit_status"] in (CERTIFIED, NOT_BIJECTIVE)
         if has_map and not (sphere.exists() and report.exists()):
             return None
         reported = json.loads(report.read_text()) if has_map else {}
@@ -219,6 +219,6 @@ class Program:
         result = run.message
         if run.has_map:
             result = f"D_iso {run.row['isometric_maximum']:.4g} / {run.row['isometric_average']:.4g}"
-            result += f", {run.row['folded_faces']} folded" if run.row["folded_faces"] else ""
+            result += f", {run.row['inverted_faces']} inverted" if run.row["inverted_faces"] else ""
         origin = ", of an earlier session" if run.is_reused else ""
         print(f"  {run.mesh.name} {run.command}: {result} ({run.seconds:.2f} s{origin})", file=sys.stderr, flush=True)
