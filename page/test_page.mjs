@@ -153,7 +153,14 @@ async function open(browser, name, faults) {
   await page.setViewport({ width: 1200, height: 800 });
   await page.goto(pathToFileURL(file(name)).href);
   await page.waitForSelector("#histogram rect");
+  await waitForDrawing(page);
   return page;
+}
+
+// On a busy machine that draws by software, the first picture takes longer than a frame.
+async function waitForDrawing(page) {
+  const end = Date.now() + 20000;
+  while ((await examine(page, await look(page, "#view-left"))).colours < 100 && Date.now() < end);
 }
 
 // Waits until the page has drawn again.

@@ -61,7 +61,7 @@ def compute_angles(
     wrong = ~(np.isfinite(lengths) & (lengths > 0))
     if wrong.any():
         refuse(f"sphere: the image of vertex {np.flatnonzero(wrong)[0]} is the origin or not finite, so that it has no angles")
-    x, y, z = images.T
+    x, y, z = np.ascontiguousarray(images.T)  # of strides, the last bit of numpy's arctan2 depends on the addresses
     return np.column_stack((np.arctan2(np.hypot(x, y), z), np.arctan2(y, x) % (2 * np.pi)))
 
 
@@ -99,5 +99,5 @@ def angles_to_directions(theta_phi: ArrayLike) -> NDArray[np.float64]:
         raise TypeError(f"theta_phi has the type {angles.dtype}; it has to hold real numbers")
     if angles.ndim != 2 or angles.shape[1] != 2:
         refuse(f"theta_phi has the shape {angles.shape}; it has to be (n, 2): theta and phi in each row")
-    theta, phi = np.asarray(angles, float).T
+    theta, phi = np.ascontiguousarray(np.asarray(angles, float).T)
     return np.column_stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)))

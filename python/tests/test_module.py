@@ -597,7 +597,7 @@ def interruption():
 
 @pytest.mark.parametrize("callback", [None, lambda *_: time.sleep(0.02)])
 def test_an_interruption_stops_the_run(callback):
-    vertices, faces = surface(80)
+    vertices, faces = surface(160)
     with interruption():
         sphere, report = sp.parameterize(vertices, faces, callback=callback, on_interrupt="return")
     assert report.stop_reason == "stopped by the visitor" and sp.is_bijective(faces, sphere)
