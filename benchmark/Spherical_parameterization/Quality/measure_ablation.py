@@ -60,7 +60,7 @@ HEURISTICS = {
         "always": [Change(LOOP, "else if(!makes_smooth_step(i))", "else")],
     },
     "descents on levels": {
-        "none": [Change(LEVELS, "if(settings.sharpness)", "if(false)")],
+        "none": [Change(LEVELS, "if(!m_settings.sharpness ||", "if(true ||")],
     },
     "small levels until convergence": {
         "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
