@@ -303,6 +303,21 @@ TEST(Hierarchical_parameterizer, sweeps_small_levels_until_they_have_settled)
   EXPECT_EQ(hierarchical().run(bumpy_sphere(4)).report.stop_reason, SP::ITERATION_LIMIT);
 }
 
+// A conformal map leaves no room for insertions: the attempt that succeeds is that of a run without descents.
+TEST(Hierarchical_embedding, tries_again_without_descents)
+{
+  const Surface mesh = surface_of(with_tentacle(1500, 2.));
+  const auto embed = [&](const std::optional<SP::Sharpness>& sharpness) {
+    Recording_control control;
+    Images positions;
+    EXPECT_TRUE(embed_hierarchically(mesh, SP::Conformal_energy_3(), {5, false, sharpness, {}}, positions, control,
+                                     Execution()));
+    EXPECT_GT(control.report().number_of_attempts, 1u);
+    return positions;
+  };
+  EXPECT_TRUE(have_same_bits(embed(SP::Sharpness()), embed(std::nullopt)));
+}
+
 // A conformal map of a long tentacle needs the guard against small faces.
 TEST(Hierarchical_parameterizer, tries_again_with_a_guard)
 {

@@ -27,6 +27,7 @@
 #include <CGAL/tags.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace CGAL::Spherical_parameterization {
 

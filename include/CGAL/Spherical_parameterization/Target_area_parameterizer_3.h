@@ -270,9 +270,9 @@ private:
 
   void map(const internal::Area_shares& shares, internal::Run& run)
   {
-    internal::embed_surface(m_energy, {internal::default_sweeps_per_level, false, m_sharpness, {}}, run,
-                            shares.of_vertices);
     const internal::Descent_settings settings;
+    internal::embed_surface(m_energy, {internal::default_sweeps_per_level, false, m_sharpness, settings}, run,
+                            shares.of_vertices);
     internal::descend<internal::Newton_step>(
         m_energy, nullptr, m_sharpness, settings,
         run.number_of_iterations.value_or(internal::default_number_of_sweeps(run.surface.number_of_vertices())), run,

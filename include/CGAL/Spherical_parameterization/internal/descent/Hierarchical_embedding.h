@@ -156,9 +156,6 @@ public:
   void start_sweep(Space&, std::size_t, bool) const {}
   bool may_end(const Space&) const { return true; }
 
-  // Whether the objective has been minimized on a level.
-  bool has_descended() const { return m_has_descended; }
-
 private:
   // Whether a level is the finest one with at most a quarter of the vertices, a sixteenth, and so on.
   static bool is_to_descend(const Mesh_hierarchy& hierarchy, std::size_t k)
@@ -208,8 +205,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Level
                           const std::vector<double>& shares = {})
 {
   Parameterization_report& report = control.report();
-  bool has_descended = false;
-  const auto embed = [&](double guard, Rest_limits limits, std::size_t sweeps_factor, bool descends = false) {
+  const auto embed = [&](double guard, Rest_limits limits, std::size_t sweeps_factor) {
     limits.height_without_shape = limits.min_height; // a needle on a coarse level may be as long as the surface
     // An attempt consumes the hierarchy; further attempts are rare.
     Mesh_hierarchy hierarchy(mesh.rings(), mesh.points(),
@@ -224,19 +220,16 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Level
     }
     Level_settings attempt = settings;
     attempt.sweeps_per_level *= sweeps_factor;
-    if(!descends)
-      attempt.sharpness.reset();
+    if(report.number_of_attempts > 1)
+      attempt.sharpness.reset(); // room for insertions comes first
     Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), attempt, limits, mesh.points(), control,
                                         execution);
     positions.resize(mesh.number_of_vertices());
     set_tetrahedron(hierarchy, positions);
-    const bool is_embedded = Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
-    has_descended = plan.has_descended();
-    return is_embedded;
+    return Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);
   };
 
-  bool is_embedded = embed(0., Rest_limits(), 1, true);
-  is_embedded = is_embedded || (has_descended && embed(0., Rest_limits(), 1)); // descents may leave less room
+  bool is_embedded = embed(0., Rest_limits(), 1);
   for(const double guard : {1e-10, 1e-8, 1e-6, 1e-4, 1e-2})
     is_embedded = is_embedded || embed(guard, {std::sqrt(std::sqrt(guard)), 0.1 * guard, false}, 1);
   Rest_limits without_shape;
