@@ -6,6 +6,7 @@ Usage: test_drivers.py PROGRAM [options of unittest]
 
 import os
 import pathlib
+import shutil
 import stat
 import subprocess
 import sys
@@ -15,13 +16,14 @@ import unittest.mock
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 sys.dont_write_bytecode = True  # leaves the sources as they are
-sys.path += [str(FOLDER / folder) for folder in ("python", "Performance", "Figures")]
+sys.path += [str(FOLDER / folder) for folder in ("python", "Performance", "Quality", "Figures")]
 
 import numpy as np
 from compare_builds import ratio_with_interval, verdict_of
 from draw_figures import FIGURES
+from measure_ablation import HEURISTICS, INTERNAL, apply_changes
 from measuring.commands import MappingProgram, run_command
-from measuring.drivers import MANUAL
+from measuring.drivers import MANUAL, PROJECT
 from measuring.maps import map_between
 from measuring.meshes import Mesh, MeshError, MeshFile, read_mesh, read_number_of_vertices, refine_along_one_axis
 from measuring.meshes import refine_one_side, subdivide_smoothly, write_mesh
@@ -253,6 +255,15 @@ class Builds(WithFolder):
             answer = run_driver("Performance/compare_builds.py", *wrong)
             self.assertEqual(answer.returncode, 2)
             self.assertIn(text, answer.stderr)
+
+
+class Ablation(WithFolder):
+    def test_heuristics_are_in_the_headers(self):
+        for heuristic, alternatives in HEURISTICS.items():
+            for alternative, changes in alternatives.items():
+                with self.subTest(heuristic, alternative=alternative):
+                    shutil.copytree(PROJECT / INTERNAL, self.folder / INTERNAL, dirs_exist_ok=True)
+                    apply_changes(changes, self.folder)
 
 
 class Pictures(WithFolder):

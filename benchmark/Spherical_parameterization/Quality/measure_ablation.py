@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -43,7 +44,8 @@ STEP, REMOVAL, KERNEL = "descent/Vertex_step.h", "hierarchy/Vertex_removal.h", "
 
 HEURISTICS = {
     "smooth steps": {
-        "none": [Change(SMOOTH, "return sweep >= m_next;", "return sweep > 1000000000;")],
+        "none": [Change(SMOOTH, "return sweep >= m_next;", "return false;"),
+                 Change(SMOOTH, "m_last >= begin || m_interval > max_useful_interval;", "true;")],
     },
     "focus sweeps": {
         "none": [Change(LOOP, "m_descent.sweep_with_focus(positions, scaled_radius(), m_objective.of_faces(),\n"
@@ -63,7 +65,7 @@ HEURISTICS = {
         "none": [Change(LEVELS, "if(!m_settings.sharpness ||", "if(true ||")],
     },
     "small levels until convergence": {
-        "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_is_uniform", "false")],
+        "5 sweeps": [Change(LEVELS, "level.vertices.size() < size_of_small_meshes && !m_limits.is_uniform", "false")],
     },
     "5 sweeps on the other levels": {
         "3": [Change(SETTINGS, "default_sweeps_per_level = 5;", "default_sweeps_per_level = 3;")],
@@ -91,6 +93,16 @@ HEURISTICS = {
                         "const bool moves_level = false, moves_radius = false;")],
     },
 }
+
+
+def apply_changes(changes: Sequence[Change], folder: Path) -> None:
+    """Changes a copy of the project's headers."""
+    for change in changes:
+        path = folder / INTERNAL / change.file
+        text = path.read_text(encoding="utf-8")
+        if text.count(change.old) != 1:
+            sys.exit(f"{change.file} does not contain this exactly once: {change.old}")
+        path.write_text(text.replace(change.old, change.new), encoding="utf-8")
 
 
 def build(headers: Path, driver: Path, program: Path) -> None:
@@ -129,12 +141,7 @@ def main() -> None:
             for alternative, changes in HEURISTICS[heuristic].items():
                 shutil.rmtree(headers, ignore_errors=True)
                 shutil.copytree(PROJECT / "include", headers)
-                for change in changes:
-                    path = Path(folder) / INTERNAL / change.file
-                    text = path.read_text(encoding="utf-8")
-                    if text.count(change.old) != 1:
-                        sys.exit(f"{change.file} does not contain this exactly once: {change.old}")
-                    path.write_text(text.replace(change.old, change.new), encoding="utf-8")
+                apply_changes(changes, Path(folder))
                 build(headers, source, program)
                 ratios = [measure_pair(program, reference, file) for file in files]
                 means = [geometric_mean(values) for values in zip(*ratios)]
