@@ -376,6 +376,58 @@ TEST(Alignment, is_chosen_by_a_single_landmark)
   }
 }
 
+TEST(Alignment, starts_from_the_inverse_of_a_map)
+{
+  using namespace SP::internal;
+  const Mapped_mesh a(icosphere(4), straight_arms), b(icosphere(4), bent_arms, turns[1]);
+  const Rotation_matrix turn = rotation_matrix(turns[1]);
+  Recording_control control;
+  const Coarse_pair surfaces(coarse(a), coarse(b), control, {});
+  const std::vector<Vector_3d>& origins = surfaces.first().directions();
+  const Target_metric metric(surfaces.second().sphere(), surfaces.second().points(), {});
+  const Alignment_descent descent(surfaces, metric);
+  const Mesh_hierarchy levels = descent.levels();
+  std::optional<Alignment_start> start = start_from_inverse(
+      surfaces, rotated_directions(transposed(turn), surfaces.second().directions()), levels, descent);
+  ASSERT_TRUE(start.has_value());
+  EXPECT_GT(cosine_between(start->alignment.rotation, turn), 0.999);
+  const auto largest_distance = [&](const std::vector<std::uint32_t>& vertices) {
+    double largest = 0.;
+    for(const std::uint32_t v : vertices)
+      largest = (std::max)(largest, length(start->alignment.directions[v] - rotated(turn, origins[v])));
+    return largest;
+  };
+  EXPECT_LT(largest_distance(levels.level(levels.number_of_levels() - 1).vertices), 0.02);
+  descent.lead(false, *start);
+  EXPECT_TRUE(start->is_valid);
+  EXPECT_LT(largest_distance(levels.level(0).vertices), 0.3);
+
+  const Coarse_pair reversed = surfaces.reversed();
+  EXPECT_EQ(&reversed.first(), &surfaces.second());
+  EXPECT_EQ(&reversed.second(), &surfaces.first());
+}
+
+TEST(Alignment, untangles_inverted_faces)
+{
+  using namespace SP::internal;
+  const Mapped_mesh a(icosphere(2));
+  const Located_mesh located(a);
+  const Vertex_rings& rings = located.mesh.rings();
+  std::vector<Vector_3d> directions = located.positions();
+  for(const std::uint32_t v : {0u, 40u, 80u})
+    std::swap(directions[v], directions[*rings.ring(v).begin()]);
+  ASSERT_FALSE(are_safely_positive(rings, directions));
+  const std::vector<Vector_3d> before = directions;
+  EXPECT_TRUE(untangle(rings, directions));
+  EXPECT_TRUE(are_safely_positive(rings, directions));
+  std::size_t n_moved = 0;
+  for(std::size_t v = 0; v < directions.size(); ++v)
+    n_moved += directions[v] != before[v];
+  EXPECT_LT(n_moved, directions.size() / 2); // only around the inverted faces
+  std::vector<Vector_3d> one_point(directions.size(), Vector_3d{0., 0., 1.});
+  EXPECT_FALSE(untangle(rings, one_point));
+}
+
 // Here the features are constant.
 TEST(Alignment, is_mended_by_eigenfunctions_where_it_has_slid)
 {
@@ -434,13 +486,16 @@ TEST(Alignment, of_surfaces_stops_when_it_is_told_to)
   const Mapped_mesh a(icosphere(3), straight_arms), b(icosphere(3), bent_arms, turns[1]);
   const Located_mesh first(a), second(b);
   const SP::internal::Target_metric metric(second.sphere, second.points, {});
+  const SP::internal::Surface_map_settings settings;
+  const SP::internal::Execution execution;
   std::size_t n_questions = 0;
   for(const std::size_t max_questions : {1000u, 0u, 3u, 8u, 14u, 18u})
   {
     Recording_control control;
     control.max_questions = max_questions;
     SP::internal::Coarse_pair surfaces(coarse(a), coarse(b), control, {});
-    const auto best = SP::internal::best_alignments(surfaces, metric, 4., first.sphere, second.sphere);
+    const auto best =
+        SP::internal::best_alignments(surfaces, {first, second, settings, control, execution, metric, {}});
     ASSERT_FALSE(best.empty());
     EXPECT_EQ(control.is_stopped(), max_questions < 1000u);
     EXPECT_LE(control.number_of_questions, max_questions + 1);

@@ -133,8 +133,7 @@ inline Surface_start choose_start(const Surface_pair& pair)
     if(result.surfaces)
     {
       result.surfaces->set_landmarks(pair.landmarks);
-      candidates = best_alignments(*result.surfaces, pair.metric, settings.feature_weight, pair.first.sphere,
-                                   pair.second.sphere);
+      candidates = best_alignments(*result.surfaces, pair);
     }
     const std::optional<Rotation_matrix> rotation = fitting_rotation(pair.landmarks);
     const bool is_by_landmarks = rotation && candidates[0].agreement < min_agreement_beside_landmarks;

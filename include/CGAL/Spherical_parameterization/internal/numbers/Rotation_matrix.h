@@ -57,6 +57,13 @@ inline Rotation_matrix product(const Rotation_matrix& a, const Rotation_matrix& 
   return result;
 }
 
+// The inverse of a rotation.
+inline Rotation_matrix transposed(const Rotation_matrix& r)
+{
+  return {Vector_3d{r[0][0], r[1][0], r[2][0]}, Vector_3d{r[0][1], r[1][1], r[2][1]},
+          Vector_3d{r[0][2], r[1][2], r[2][2]}};
+}
+
 using Quaternion = std::array<double, 4>; // the scalar comes first
 
 inline Rotation_matrix rotation_matrix(const Quaternion& q)

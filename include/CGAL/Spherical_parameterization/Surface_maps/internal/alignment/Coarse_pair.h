@@ -16,6 +16,8 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Rotation_search.h>
 
+#include <memory>
+
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -29,17 +31,19 @@ public:
   using Guides = std::array<std::vector<Vertex_scalars>, 2>; // features of both surfaces
 
   Coarse_pair(Surface_descriptor first, Surface_descriptor second, Run_control& control, const Execution& execution)
-    : m_surfaces{std::move(first), std::move(second)}
-    , m_control(control)
-    , m_execution(execution)
+    : Coarse_pair(std::make_shared<Surface_descriptor>(std::move(first)),
+                  std::make_shared<Surface_descriptor>(std::move(second)), control, execution)
+  {}
+
+  // The same surfaces and landmarks in the opposite order.
+  Coarse_pair reversed() const
   {
-    if(m_surfaces[0].features().empty())
-      for(int feature = 0; feature < Surface_descriptor::number_of_own_features && goes_on(); ++feature)
-        in_parallel(2, [&](std::size_t k) { m_surfaces[k].add_own_feature(feature); });
-    for(const Vector_3d& p : m_surfaces[0].points())
-      m_points.push_back(std::sqrt(4. * CGAL_PI) * p);
-    m_nodes = Sphere_image::locate_nodes(m_surfaces[1].sphere(), execution);
-    m_features = goals({});
+    Coarse_pair result(m_surfaces[1], m_surfaces[0], m_control, m_execution);
+    std::vector<std::pair<Vector_3d, Vector_3d>> landmarks;
+    for(const auto& [p, q] : m_landmarks)
+      landmarks.emplace_back(q, p);
+    result.set_landmarks(landmarks);
+    return result;
   }
 
   // Sets pairs of corresponding directions, which contribute to the choice of the best alignment, and guide all starts.
@@ -47,22 +51,22 @@ public:
   {
     if(landmarks.empty())
       return;
-    in_parallel(2, [&](std::size_t k) { m_surfaces[k].measure_distances(); });
+    m_landmarks = landmarks;
+    in_parallel(2, [&](std::size_t k) { m_surfaces[k]->measure_distances(); });
     Guides distances;
     for(const auto& [p, q] : landmarks)
     {
-      m_landmarks.push_back(p);
-      distances[0].push_back(m_surfaces[0].distances_from(p));
-      distances[1].push_back(m_surfaces[1].distances_from(q));
+      distances[0].push_back(first().distances_from(p));
+      distances[1].push_back(second().distances_from(q));
     }
     m_landmark_image.emplace(image(distances[1]));
     for(std::size_t surface = 0; surface < 2; ++surface)
       for(const Vertex_scalars& d : distances[surface])
-        m_landmark_guides[surface].push_back(scaled(d, weight_of_leading_distances));
+        m_landmark_guides[surface].push_back(scaled(d, weight_of_leading_guides));
   }
 
-  const Surface_descriptor& first() const { return m_surfaces[0]; }
-  const Surface_descriptor& second() const { return m_surfaces[1]; }
+  const Surface_descriptor& first() const { return *m_surfaces[0]; }
+  const Surface_descriptor& second() const { return *m_surfaces[1]; }
 
   // The points of the first surface, scaled to area 4 pi.
   const std::vector<Vector_3d>& points() const { return m_points; }
@@ -89,7 +93,7 @@ public:
   std::array<Extremities, 2> extremities()
   {
     std::array<Extremities, 2> result;
-    in_parallel(2, [&](std::size_t k) { result[k] = m_surfaces[k].extremities(); });
+    in_parallel(2, [&](std::size_t k) { result[k] = m_surfaces[k]->extremities(); });
     return result;
   }
 
@@ -100,7 +104,26 @@ public:
     Guides result;
     for(std::size_t surface = 0; surface < 2; ++surface)
       for(const auto& pair : pairs)
-        result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, weight_of_leading_distances));
+        result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, weight_of_leading_guides));
+    add_landmarks(result);
+    return result;
+  }
+
+  // Coordinates on the second sphere, which guide the vertices of the first surface to these images.
+  Guides position_guides(const std::vector<Vector_3d>& images) const
+  {
+    Guides result;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const auto coordinate = [&](const std::vector<Vector_3d>& directions) {
+        Vertex_scalars values;
+        for(const Vector_3d& p : directions)
+          values.push_back(weight_of_leading_guides * p[k]);
+        return values;
+      };
+      result[0].push_back(coordinate(images));
+      result[1].push_back(coordinate(second().directions()));
+    }
     add_landmarks(result);
     return result;
   }
@@ -108,7 +131,7 @@ public:
   // Computes the data for eigenfunction_guides().
   void find_spectra()
   {
-    in_parallel(2, [&](std::size_t k) { m_surfaces[k].find_spectrum(); });
+    in_parallel(2, [&](std::size_t k) { m_surfaces[k]->find_spectrum(); });
   }
 
   // The first n eigenfunctions of the first surface, and the closest combinations of those of the second surface under a map. An
@@ -150,7 +173,7 @@ public:
     std::vector<double> distances(m_landmarks.size());
     for(std::size_t k = 0; k < m_landmarks.size(); ++k)
     {
-      m_landmark_image->interpolate(image_of(m_landmarks[k]), distances.data());
+      m_landmark_image->interpolate(image_of(m_landmarks[k].first), distances.data());
       sum += distances[k];
     }
     return m_landmarks.empty() ? 0. : sum / static_cast<double>(m_landmarks.size());
@@ -160,8 +183,8 @@ public:
   Feature_goals goals(Guides guides) const
   {
     for(std::size_t surface = 0; surface < 2; ++surface)
-      guides[surface].insert(guides[surface].end(), m_surfaces[surface].features().begin(),
-                             m_surfaces[surface].features().end());
+      guides[surface].insert(guides[surface].end(), m_surfaces[surface]->features().begin(),
+                             m_surfaces[surface]->features().end());
     Feature_goals result;
     result.image = image(guides[1]);
     result.set_values(guides[0]);
@@ -174,6 +197,21 @@ public:
   const Execution& execution() const { return m_execution; }
 
 private:
+  Coarse_pair(std::shared_ptr<Surface_descriptor> first, std::shared_ptr<Surface_descriptor> second,
+              Run_control& control, const Execution& execution)
+    : m_surfaces{std::move(first), std::move(second)}
+    , m_control(control)
+    , m_execution(execution)
+  {
+    if(m_surfaces[0]->features().empty())
+      for(int feature = 0; feature < Surface_descriptor::number_of_own_features && goes_on(); ++feature)
+        in_parallel(2, [&](std::size_t k) { m_surfaces[k]->add_own_feature(feature); });
+    for(const Vector_3d& p : m_surfaces[0]->points())
+      m_points.push_back(std::sqrt(4. * CGAL_PI) * p);
+    m_nodes = Sphere_image::locate_nodes(m_surfaces[1]->sphere(), execution);
+    m_features = goals({});
+  }
+
   template <class Function>
   void in_parallel(std::size_t n, const Function& f) const
   {
@@ -206,16 +244,16 @@ private:
     return values;
   }
 
-  // Relative to ranks from -1 to 1, for distances with mean 1. With 2 or 6, people are aligned less accurately.
-  static constexpr double weight_of_leading_distances = 4.;
+  // Relative to ranks from -1 to 1, for distances with mean 1 and for coordinates. With 2 or 6, people are aligned less accurately.
+  static constexpr double weight_of_leading_guides = 4.;
 
-  std::array<Surface_descriptor, 2> m_surfaces;
+  std::array<std::shared_ptr<Surface_descriptor>, 2> m_surfaces; // shared with the reversed pair
   std::vector<Vector_3d> m_points;
   Run_control& m_control;
   Execution m_execution;
   Sphere_image::Locations m_nodes; // the nodes of images, on the second sphere
   Feature_goals m_features;
-  std::vector<Vector_3d> m_landmarks; // on the first sphere
+  std::vector<std::pair<Vector_3d, Vector_3d>> m_landmarks;
   Guides m_landmark_guides;
   std::optional<Sphere_image> m_landmark_image;
 };

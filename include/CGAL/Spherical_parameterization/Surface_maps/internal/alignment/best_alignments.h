@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/Surface_maps/internal/Surface_pair.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/propose_starts.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/elementary_functions.h>
 
@@ -78,34 +79,64 @@ inline void keep_best(double min_angle, std::vector<Alignment_start>& starts)
   starts.swap(result);
 }
 
-// The best maps of the first coarse surface to the sphere of the second surface with this metric, in the order of decreasing score; at
-// least one. They differ by 20 degrees or more in the mean. They are rotations, without directions, if the surfaces are copies or the
-// run is stopped. `feature_weight` is the final weight of features of the caller; features of the package have a smaller final weight.
-inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Target_metric& metric, double feature_weight,
-                                              const Sphere_mesh& sphere1, const Sphere_mesh& sphere2)
+// The first levels of these starts, after which most are discarded.
+inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_descent& descent,
+                                   std::vector<Alignment_start>& starts)
 {
-  // Different alignments are farther apart in the mean. Before the end of the descent, the better one of two similar starts is not yet
-  // known, so only nearly identical ones are merged.
-  constexpr double min_angle = CGAL_PI / 9., min_angle_at_first = CGAL_PI / 36.;
-  // The largest difference of a score from the best one after the first levels. With 0.08, correct starts are occasionally lost; with
-  // 0.2, the same ones win, in 1.1 times the time.
-  constexpr double max_lag = 0.12;
-  constexpr std::size_t n_kept = 8; // with fewer, a correct start is occasionally lost
-  const Rotation_candidates rotations = propose_rotations(surfaces, sphere1, sphere2);
-  if(rotations.are_of_same_shape || !surfaces.goes_on())
-    return rotations.alignments;
-  const Alignment_descent descent(surfaces, metric);
-  std::vector<Alignment_start> starts = propose_starts(surfaces, rotations.alignments, descent);
+  // Before the end of the descent, the better one of two similar starts is not yet known, so only nearly identical ones are merged.
+  constexpr double min_angle = CGAL_PI / 36.;
+  constexpr double max_lag = 0.2; // behind the best score; with 0.12, a person is mapped onto a gorilla by a half-turn
+  constexpr std::size_t n_kept = 8; // with 4, a gorilla and a person are aligned less accurately
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
-  keep_best(min_angle_at_first, starts);
+  keep_best(min_angle, starts);
   while(starts.size() > n_kept ||
         (!starts.empty() && starts.back().alignment.score < starts.front().alignment.score - max_lag))
     starts.pop_back();
+}
+
+// The remaining levels, after which starts differ by 20 degrees or more in the mean.
+inline void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_descent& descent, double feature_weight,
+                                  std::vector<Alignment_start>& starts)
+{
+  constexpr double min_angle = CGAL_PI / 9.; // Different alignments are farther apart.
   for_each_start(surfaces, starts, [&](Alignment_start& start) {
     descent.lead(false, start);
     descent.settle(feature_weight, start);
   });
   keep_best(min_angle, starts);
+}
+
+// Adds the inverses of the best maps from the second to the first surface as starts. A descent in one direction often finds a map that
+// no start leads to in the other one.
+inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& pair,
+                               const std::vector<Alignment>& rotations, const Alignment_descent& descent,
+                               std::vector<Alignment_start>& starts)
+{
+  constexpr std::size_t n_inverses = 2;
+  Coarse_pair reversed = surfaces.reversed();
+  const Target_metric metric(pair.first.sphere, pair.first.points, pair.execution);
+  const Alignment_descent descent_back(reversed, metric);
+  std::vector<Alignment_start> found = propose_starts(reversed, inverses(rotations), descent_back);
+  choose_on_first_levels(reversed, descent_back, found);
+  choose_on_last_levels(reversed, descent_back, pair.settings.feature_weight, found);
+  const Mesh_hierarchy levels = descent.levels();
+  for(std::size_t k = 0; k < found.size() && k < n_inverses; ++k)
+    if(auto start = start_from_inverse(surfaces, found[k].alignment.directions, levels, descent))
+      starts.push_back(std::move(*start));
+}
+
+// The best maps of the first coarse surface to the sphere of the second surface, in the order of decreasing score; at least one. They
+// differ by 20 degrees or more in the mean. They are rotations, without directions, if the surfaces are copies or the run is stopped.
+inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Surface_pair& pair)
+{
+  const Rotation_candidates rotations = propose_rotations(surfaces, pair.first.sphere, pair.second.sphere);
+  if(rotations.are_of_same_shape || !surfaces.goes_on())
+    return rotations.alignments;
+  const Alignment_descent descent(surfaces, pair.metric);
+  std::vector<Alignment_start> starts = propose_starts(surfaces, rotations.alignments, descent);
+  choose_on_first_levels(surfaces, descent, starts);
+  add_inverse_starts(surfaces, pair, rotations.alignments, descent, starts);
+  choose_on_last_levels(surfaces, descent, pair.settings.feature_weight, starts);
   if(starts.empty())
     return rotations.alignments;
   std::vector<Alignment> result;

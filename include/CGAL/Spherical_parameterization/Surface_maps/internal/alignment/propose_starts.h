@@ -16,6 +16,7 @@
 
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Alignment_descent.h>
 #include <CGAL/Spherical_parameterization/Surface_maps/internal/alignment/Extremity_search.h>
+#include <CGAL/Spherical_parameterization/internal/certificate/is_safely_positive.h>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
@@ -35,7 +36,7 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   // threshold, copies go through the descent and end with an error of 1.3 degrees, while that of the rotation is 0.2; with a smaller
   // one, poses are only rotated.
   constexpr double min_score_of_same_shape = 0.97;
-  constexpr std::size_t n_rotations = 8; // with fewer, a correct one is occasionally lost
+  constexpr std::size_t n_rotations = 5; // with 8, and 12 matchings, the same maps win
   Rotation_candidates result;
   std::vector<Alignment>& alignments = result.alignments;
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
@@ -56,7 +57,7 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
 inline std::vector<Alignment_start> propose_starts(Coarse_pair& surfaces, const std::vector<Alignment>& rotations,
                                                    const Alignment_descent& descent)
 {
-  constexpr std::size_t n_matchings = 12;
+  constexpr std::size_t n_matchings = 7;
   std::vector<Alignment_start> starts;
   const Mesh_hierarchy levels = descent.levels();
   const auto extremities = surfaces.extremities();
@@ -68,6 +69,66 @@ inline std::vector<Alignment_start> propose_starts(Coarse_pair& surfaces, const 
     starts.push_back(
         descent.start_from(levels, matching.rotation, surfaces.distance_guides(extremities, matching.pairs)));
   return starts;
+}
+
+// The rotations from the second to the first sphere.
+inline std::vector<Alignment> inverses(std::vector<Alignment> rotations)
+{
+  for(Alignment& alignment : rotations)
+    alignment.rotation = transposed(alignment.rotation);
+  return rotations;
+}
+
+// Moves the corners of inverted faces to the means of their neighbors until no face is inverted; returns false if that fails.
+inline bool untangle(const Vertex_rings& rings, std::vector<Vector_3d>& directions)
+{
+  constexpr int max_rounds = 200; // 4 to 20 suffice for some 50 vertices of which a few faces are inverted
+  for(int round = 0; round < max_rounds && !are_safely_positive(rings, directions); ++round)
+  {
+    std::vector<char> is_moved(directions.size(), 0);
+    rings.for_each_face([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      if(!is_safely_positive(directions[a], directions[b], directions[c]))
+        is_moved[a] = is_moved[b] = is_moved[c] = 1;
+    });
+    for(std::size_t v = 0; v < directions.size(); ++v)
+      if(is_moved[v])
+      {
+        Vector_3d sum = directions[v];
+        for(const std::uint32_t w : rings.ring(v))
+          sum = sum + directions[w];
+        directions[v] = normalized(sum);
+      }
+  }
+  return are_safely_positive(rings, directions);
+}
+
+// A start from the inverse of a map from the second surface to the first sphere, which also guides it on all levels. Between vertices,
+// the inverse is not linear on the faces of the first surface, and inverts some of them on the coarsest level. There is no start if they
+// cannot be untangled, or if the inverse determines no rotation.
+inline std::optional<Alignment_start> start_from_inverse(const Coarse_pair& surfaces,
+                                                         const std::vector<Vector_3d>& directions,
+                                                         const Mesh_hierarchy& levels, const Alignment_descent& descent)
+{
+  const std::vector<Linked_triangle>& triangles = surfaces.second().sphere().triangles();
+  Sphere_mesh map;
+  map.assign(points_of(directions), triangles);
+  map.make_grid();
+  std::vector<Vector_3d> images;
+  std::vector<std::pair<Vector_3d, Vector_3d>> pairs;
+  for(const auto& location : map.locate(points_of(surfaces.first().directions()), surfaces.execution()))
+  {
+    images.push_back(normalized(interpolated(surfaces.second().directions(), triangles, location)));
+    pairs.emplace_back(surfaces.first().directions()[pairs.size()], images.back());
+  }
+  const std::size_t coarsest = levels.number_of_levels() - 1;
+  std::vector<Vector_3d> positions = levels.level(coarsest).gathered(images);
+  const std::optional<Rotation_matrix> rotation = fitting_rotation(pairs);
+  if(!rotation || !untangle(levels.rings(coarsest), positions))
+    return {};
+  Alignment_start result = descent.start_from(levels, *rotation, surfaces.position_guides(images));
+  for(std::size_t i = 0; i < positions.size(); ++i)
+    result.alignment.directions[levels.level(coarsest).vertices[i]] = positions[i];
+  return result;
 }
 
 } // namespace CGAL::Spherical_parameterization::internal
