@@ -259,7 +259,7 @@ private:
   // The vertices around faces above a fraction of the largest energy are swept several times more, because they
   // converge slowest and determine the largest distortion. The sweeps take at most a fraction of the time of a sweep
   // over all vertices, and are omitted if they would be too few.
-  static constexpr double focus_energy = 0.8, focus_fraction = 0.8;
+  static constexpr double focus_energy = 0.8, focus_fraction = 0.65;
   static constexpr std::size_t min_focus_sweeps = 2, max_focus_sweeps = 500;
 
   static constexpr std::size_t packets_per_block = 4; // of parallel work: about two microseconds

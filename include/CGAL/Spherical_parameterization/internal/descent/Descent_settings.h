@@ -48,8 +48,8 @@ struct Level_settings
 {
   std::size_t sweeps_per_level = default_sweeps_per_level;
   bool sweeps_finest_level = false;
-  // If given, and if it is relative, the objective with this sharpness is also minimized on some of the levels, see
-  // Hierarchical_embedding. Tolerances below the defaults are replaced by them.
+  // If given, and if it is relative, the objective with this sharpness is also minimized on some of the levels, with
+  // tolerances of at least twice the defaults, see Hierarchical_embedding.
   std::optional<Sharpness> sharpness;
   Descent_settings descent;
 };

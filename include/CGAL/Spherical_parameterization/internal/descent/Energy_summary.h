@@ -131,12 +131,13 @@ public:
 
   // Whether the change of an energy from `last_value` is a small fraction of the possible gain. This is the difference
   // from the lowest energy, if that is known, or, where all energies are near their minimum, twice the difference
-  // between the largest and the average energy; at least one millionth of the energy.
-  bool has_settled(double value, double last_value, double tolerance, double lowest_energy = 0.) const
+  // between the largest and the average energy; at most `max_gain`, and at least one millionth of the energy.
+  bool has_settled(double value, double last_value, double tolerance, double lowest_energy = 0.,
+                   double max_gain = (std::numeric_limits<double>::max)()) const
   {
     const double spread = maximum_energy() - average();
     const double height = last_value > lowest_energy ? last_value - lowest_energy : last_value;
-    const double scale = (std::max)((std::min)(height, 2. * spread), 1e-6 * last_value);
+    const double scale = (std::max)((std::min)({height, 2. * spread, max_gain}), 1e-6 * last_value);
     return std::abs(value - last_value) <= tolerance * scale;
   }
 

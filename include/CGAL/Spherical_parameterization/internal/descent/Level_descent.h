@@ -38,7 +38,7 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Level_sweeps
 {
   std::size_t maximum = 0;
-  double convergence_tolerance = 0.; // stops earlier if measurements differ by less; see Energy_summary::has_settled()
+  double convergence_tolerance = 0.; // stops earlier if measurements differ by less; see the plan
   bool measures = true;              // whether faces are measured, for the radius and for convergence
 };
 
@@ -139,8 +139,7 @@ private:
       {
         const Energy_summary summary = m_descent.measure(local, m_radius, Face_objective());
         m_plan.choose_radius(m_descent, m_radius);
-        if(i > 0 && summary.has_settled(summary.average(), last_average, sweeps.convergence_tolerance) &&
-           m_plan.may_end(m_descent.space()))
+        if(i > 0 && m_plan.has_settled(m_descent.space(), summary, last_average, sweeps.convergence_tolerance))
           return true;
         last_average = summary.average();
       }

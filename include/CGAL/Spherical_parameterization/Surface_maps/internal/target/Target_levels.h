@@ -104,7 +104,10 @@ public:
     space.start_sweep(sweep, is_last && m_is_swept);
   }
   Face_objective objective(std::size_t) const { return Face_objective(); }
-  bool may_end(const Space& space) const { return !space.has_open_landmarks(); }
+  bool has_settled(const Space& space, const Energy_summary& summary, double last_mean, double tolerance) const
+  {
+    return summary.has_settled(summary.average(), last_mean, tolerance) && !space.has_open_landmarks();
+  }
   void finish_level(const Mesh_hierarchy&, std::size_t, std::vector<Vector_3d>&, double&) const {}
 
 private:
