@@ -5,7 +5,7 @@ FOLDER contains pairs.txt, with two names and a kind in each line, and optionall
 mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. For the kind `corres`, the files NAME.vts of both meshes list
 corresponding vertices, line by line, counted from 1, and NAME.sym.vts their mirror images. For the kind `landmarks`, NAME.vts, or
 NAME/landmarks0.txt and so on for NAME/input0 and NAME/input1, list landmarks, counted from 0. Pairs with landmarks in .vts files are
-mapped once more without them, and the landmarks then measure the error. Takes ten minutes; needs numpy and scipy.
+mapped once more without them, and the landmarks then measure the error. Takes 20 minutes; needs numpy and scipy.
 
 The expected error of a map is correlated with its errors over the vertices; the table has the means over the maps. With --manual FILE,
 the table is also written to a page of the manual.
@@ -118,9 +118,12 @@ class Pairs:
         raise FileNotFoundError(f"{self.folder / name}: there is no such mesh")
 
     def landmarks(self, name: str) -> Path:
-        """returns the file with the landmarks of a mesh"""
+        """writes a file with the landmarks of a mesh, whose lines may have more numbers than the index"""
         path = self.folder / (name + ".vts")
-        return path if path.exists() else self.folder / (name.replace("input", "landmarks") + ".txt")
+        path = path if path.exists() else self.folder / (name.replace("input", "landmarks") + ".txt")
+        written = self.work / (name.replace("/", "_") + ".landmarks")
+        written.write_text("".join(f"{index}\n" for index in numbers_in(path, 0)), encoding="utf-8")
+        return written
 
     def energy(self, facts: dict[str, Any]) -> float:
         """returns the mean of both averages of the energy"""
