@@ -407,6 +407,22 @@ TEST(Alignment, starts_from_the_inverse_of_a_map)
   EXPECT_EQ(&reversed.second(), &surfaces.first());
 }
 
+TEST(Alignment, starts_from_counterparts_by_the_symmetry_of_a_body)
+{
+  using namespace SP::internal;
+  const Arms person = {
+      {{1., 0., 0.}, {-1., 0., 0.}, {0., 1., 0.}, {0.6, -0.8, 0.}, {-0.6, -0.8, 0.}}, {2.6, 2.6, 1.5, 3.5, 3.5}, 0.};
+  const Mapped_mesh a(icosphere(4), bent_arms), b(icosphere(4), person);
+  Recording_control control;
+  const Coarse_pair surfaces(coarse(a), coarse(b), control, {});
+  const Rotation_matrix half_turn = rotation_matrix({0., 0., 1., 0.}), turn = rotation_matrix(turns[1]);
+  EXPECT_GT(cosine_between(surfaces.symmetry_of_second(), half_turn), 0.98);
+  const std::vector<Rotation_matrix> rotations = with_counterparts(surfaces, {{turn, {}, {}, 0., 0., 0.}});
+  ASSERT_EQ(rotations.size(), 2u);
+  EXPECT_EQ(cosine_between(rotations[0], turn), cosine_between(turn, turn));
+  EXPECT_GT(cosine_between(rotations[1], product(half_turn, turn)), 0.98);
+}
+
 TEST(Alignment, untangles_inverted_faces)
 {
   using namespace SP::internal;

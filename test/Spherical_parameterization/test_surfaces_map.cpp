@@ -173,7 +173,7 @@ TEST(Map_surface, tells_front_from_back_and_left_from_right_of_a_tube_that_bends
   const auto [same, error] = map_from(1.);
   const Match mirrored = map_from(-1.).first;
   EXPECT_LT(error, 1.6);
-  EXPECT_FALSE(same.report.is_uncertain);
+  EXPECT_FALSE(same.report.is_uncertain) << *same.report.expected_error << ' ' << same.report.margin;
   ASSERT_EQ(same.errors.size(), mirrored.errors.size());
   EXPECT_LT(*same.report.expected_error, *mirrored.report.expected_error);
   // Of a mirrored tube one of the bumps has no counterpart.

@@ -5,7 +5,11 @@ FOLDER contains pairs.txt, with two names and a kind in each line, and optionall
 mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. For the kind `corres`, the files NAME.vts of both meshes list
 corresponding vertices, line by line, counted from 1, and NAME.sym.vts their mirror images. For the kind `landmarks`, NAME.vts, or
 NAME/landmarks0.txt and so on for NAME/input0 and NAME/input1, list landmarks, counted from 0. Pairs with landmarks in .vts files are
-mapped once more without them, and the landmarks then measure the error. Takes 20 minutes; needs numpy and scipy.
+mapped once more without them, and the landmarks then measure the error. Of tosca_between, the other combinations of first and second
+surfaces have a row of their own. Takes 25 minutes; needs numpy and scipy.
+
+With --noise SEED, coordinates of all meshes get normally distributed noise of 1e-5 of the largest extent, to show how far results
+depend on small differences.
 
 The expected error of a map is correlated with its errors over the vertices; the table has the means over the maps. With --manual FILE,
 the table is also written to a page of the manual.
@@ -31,7 +35,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 import numpy as np
 from measuring.commands import run_command
 from measuring.drivers import Driver
-from measuring.meshes import Mesh, read_mesh
+from measuring.meshes import Mesh, read_mesh, write_mesh
 from measuring.reports import fill_in, table
 
 ROWS = {
@@ -40,6 +44,7 @@ ROWS = {
     "tosca": "animals and persons, two poses of one body (TOSCA)",
     "tosca, random": "the same, random pairs",
     "tosca_between": "a gorilla and a person (TOSCA)",
+    "tosca_between, combinations": "the same, other combinations",
     "shrec": "four-legged animals, 21 landmarks (SHREC)",
     "shrec, landmarks hidden": "the same, landmarks hidden: error at them",
     "cat_horse": "cat and horse, 17 landmarks",
@@ -83,37 +88,61 @@ def read_bounds(path: Path) -> list[Bounds]:
     return bounds
 
 
+def read_pairs(path: Path) -> list[tuple[str, str, str, str]]:
+    """reads two names and a kind in each line, and returns them with the folder of the pair; nothing if there is no such file"""
+    lines = path.read_text().splitlines() if path.exists() else []
+    return [(first, second, kind, first.split("/")[0]) for first, second, kind in map(str.split, lines)]
+
+
+def combinations(pairs: list[tuple[str, str, str, str]], row: str) -> list[tuple[str, str]]:
+    """returns the other combinations of first and second surfaces of a row, in both directions"""
+    chosen = [(first, second) for first, second, _, folder in pairs if folder == row]
+    others = [(first, second) for first, _ in chosen for _, second in chosen if (first, second) not in chosen]
+    return [pair for first, second in others for pair in ((first, second), (second, first))]
+
+
 def numbers_in(path: Path, first: int) -> np.ndarray:
     """returns the first number of each line, counted from 0"""
     return np.array([int(line.split()[0]) - first for line in path.read_text().splitlines() if line.strip()])
 
 
-def distances(mesh: Mesh, sources: np.ndarray) -> np.ndarray:
-    """returns the lengths of shortest paths along edges, divided by the square root of the area, in percent"""
+def distances(mesh: Mesh, sources: np.ndarray, targets: np.ndarray) -> np.ndarray:
+    """returns the lengths of shortest paths along edges between pairs of vertices, over the root of the area, in percent"""
     from scipy.sparse import csr_matrix
     from scipy.sparse.csgraph import dijkstra
 
     points, faces = mesh.vertices, mesh.faces
     ends = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    lengths = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
+    lengths = 100.0 / np.sqrt(mesh.area()) * np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
     graph = csr_matrix((lengths, (ends[:, 0], ends[:, 1])), (len(points), len(points)))
-    return np.asarray(100.0 * dijkstra(graph, directed=False, indices=sources) / np.sqrt(mesh.area()))
+    result = np.full(len(sources), np.inf)
+    for limit in (5.0, 20.0, np.inf):  # most paths are short, and those from a vertex to all others take long
+        left = np.isinf(result)
+        if left.any():
+            origins, inverse = np.unique(sources[left], return_inverse=True)
+            result[left] = dijkstra(graph, directed=False, indices=origins, limit=limit)[inverse, targets[left]]
+    return result
 
 
 class Pairs:
     """The pairs of a folder, mapped by the program."""
 
-    def __init__(self, program: Path, folder: Path | None, meshes: Path | None, work: Path) -> None:
-        self.program, self.folder, self.meshes, self.work = program.resolve(), folder, meshes, work
+    def __init__(self, program: Path, folder: Path | None, meshes: Path | None, work: Path, noise: int | None) -> None:
+        self.program, self.folder, self.meshes, self.work, self.noise = program.resolve(), folder, meshes, work, noise
         self.results: dict[str, list[dict[str, Any]]] = {}
 
     def mesh(self, name: str) -> Path:
-        """unpacks a mesh"""
+        """unpacks a mesh, and adds the noise, which depends on the seed and on the name"""
         for extension in (".off", ".obj"):
             packed = self.folder / (name + extension + ".gz")
             if packed.exists():
                 path = self.work / (name.replace("/", "_") + extension)
                 path.write_bytes(gzip.decompress(packed.read_bytes()))
+                if self.noise is not None:
+                    mesh = read_mesh(path)
+                    random = np.random.default_rng([self.noise, *name.encode()])
+                    size = 1e-5 * np.ptp(mesh.vertices, axis=0).max()
+                    write_mesh(path, Mesh(mesh.vertices + random.normal(scale=size, size=mesh.vertices.shape), mesh.faces))
                 return path
         raise FileNotFoundError(f"{self.folder / name}: there is no such mesh")
 
@@ -161,16 +190,17 @@ class Pairs:
             base = 1 if kind == "corres" else 0
             known = numbers_in(self.folder / (first + ".vts"), base)
             true = numbers_in(self.folder / (second + ".vts"), base)
-            sources, inverse = np.unique(true, return_inverse=True)
             found = cKDTree(target.vertices).query(images[known])[1]
-            errors = distances(target, sources)[inverse, found]
+            errors = distances(target, true, found)
             facts["error"] = float(errors.mean())
             expected = np.frombuffer((self.work / "lh.errors").read_bytes()[15:], dtype=">f4")  # a file of FreeSurfer
             facts["correlation"] = float(spearmanr(expected[known], errors)[0])
             mirror = self.folder / (second + ".sym.vts")
             if mirror.exists():
-                sources, inverse = np.unique(numbers_in(mirror, 1), return_inverse=True)
-                facts["is_swapped"] = float(distances(target, sources)[inverse, found].mean()) < facts["error"]
+                mirrored = numbers_in(mirror, 1)
+                straight = np.linalg.norm(target.vertices[mirrored] - target.vertices[found], axis=1).mean()
+                if 100.0 * straight / np.sqrt(target.area()) < facts["error"]:  # paths are longer
+                    facts["is_swapped"] = float(distances(target, mirrored, found).mean()) < facts["error"]
         print(first, second, f"{facts['error']:.2f}", file=sys.stderr)
         self.results.setdefault(row, []).append(facts)
 
@@ -246,27 +276,23 @@ def main() -> None:
     driver.add_argument("--cgal-meshes", type=Path, metavar="FOLDER", help="the folder of the meshes of CGAL, for --bounds")
     driver.add_argument("--bounds", type=Path, metavar="FILE", help="bounds that pairs are compared with")
     driver.add_argument("--manual", type=Path, metavar="FILE", help="a page of the manual whose table is filled in")
+    driver.add_argument("--noise", type=int, metavar="SEED", help="add noise to the coordinates")
     arguments = driver.parse()
     if not (arguments.pairs or arguments.bounds):
         driver.error("--pairs or --bounds is needed")
     with tempfile.TemporaryDirectory() as work:
-        pairs = Pairs(arguments.program, arguments.pairs, arguments.cgal_meshes, Path(work))
+        pairs = Pairs(arguments.program, arguments.pairs, arguments.cgal_meshes, Path(work), arguments.noise)
         if arguments.bounds:
             pairs.check(read_bounds(arguments.bounds))
-        for name in ("pairs.txt", "pairs_wide.txt"):
-            path = arguments.pairs / name
-            if not path.exists():
-                continue
-            for line in path.read_text().splitlines():
-                first, second, kind = line.split()
-                row = first.split("/", maxsplit=1)[0]
-                if name == "pairs_wide.txt":
-                    pairs.run(first, second, kind, f"{row}, random")
-                    continue
-                for one, other in ((first, second), (second, first)):
-                    pairs.run(one, other, kind, row)
-                    if kind == "landmarks" and (arguments.pairs / (one + ".vts")).exists():
-                        pairs.run(one, other, "hidden", f"{row}, landmarks hidden")
+        for first, second, kind, row in read_pairs(arguments.pairs / "pairs.txt"):
+            for one, other in ((first, second), (second, first)):
+                pairs.run(one, other, kind, row)
+                if kind == "landmarks" and (arguments.pairs / (one + ".vts")).exists():
+                    pairs.run(one, other, "hidden", f"{row}, landmarks hidden")
+        for one, other in combinations(read_pairs(arguments.pairs / "pairs.txt"), "tosca_between"):
+            pairs.run(one, other, "corres", "tosca_between, combinations")
+        for first, second, kind, row in read_pairs(arguments.pairs / "pairs_wide.txt"):
+            pairs.run(first, second, kind, f"{row}, random")
         rows = pairs.rows()
         print(table(COLUMNS | MORE_COLUMNS, rows))
         if arguments.manual:

@@ -49,13 +49,12 @@ public:
     return lower(m_hierarchy, coarse, goals, Target_sweeps(), positions, control, execution);
   }
 
-  // The score of a map of the coarsest level after refinement to a level of up to 8000 vertices, where the features of the mesh
-  // contain more detail than on the coarsest level. The lowest value of double if double precision does not suffice.
-  double score_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals, Run_control& control,
-                              const Execution& execution) const
+  // The agreement of features with these weights for a map of the coarsest level after refinement to a level of up to 8000 vertices,
+  // where the features of the mesh contain more detail. The lowest value of double if double precision does not suffice.
+  double agreement_on_finer_level(const std::vector<Vector_3d>& coarse, const Target_goals& goals,
+                                  const std::vector<double>& weights, Run_control& control,
+                                  const Execution& execution) const
   {
-    // With a larger weight, half-turns win more often, because their energy is often lower.
-    constexpr double weight_of_stretching = 0.15;
     constexpr std::size_t max_size = 8000;
     constexpr Target_sweeps sweeps = {10, 1e-3, 0.04}; // With six times as many, the same alignments win.
     std::size_t k = 0;
@@ -65,9 +64,7 @@ public:
     std::vector<Vector_3d> positions;
     if(!lower(levels, coarse, goals, sweeps, positions, control, execution))
       return std::numeric_limits<double>::lowest();
-    return feature_agreement(goals.features, levels.level(0), positions) -
-           weight_of_stretching *
-               stretching(goals.metric, levels.level(0), levels.rings(0), m_mesh.points(), positions);
+    return feature_agreement(goals.features, levels.level(0), positions, weights);
   }
 
 private:

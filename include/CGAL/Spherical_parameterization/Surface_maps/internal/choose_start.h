@@ -92,8 +92,10 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
       return;
     Run_control silent; // Only the levels of the final refinement are reported to a visitor.
     const Target_goals goals = {pair.metric, start.features, weight_of_features(alignment.agreement, pair.settings)};
-    scores[k] =
-        start.levels->score_on_finer_level(alignment.directions, goals, silent, pair.execution) - alignment.missed;
+    scores[k] = start.levels->agreement_on_finer_level(alignment.directions, goals,
+                                                       weights_in_last_choice(start.features, pair.settings), silent,
+                                                       pair.execution) -
+                alignment.missed;
   });
   scores.resize(n);
   const std::size_t best = static_cast<std::size_t>(std::max_element(scores.begin(), scores.end()) - scores.begin());

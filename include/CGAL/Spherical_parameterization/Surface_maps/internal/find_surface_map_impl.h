@@ -25,7 +25,8 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // The stages of map_surface(), each of which passes its result to the next one:
 //
-//   propose  rotations, matched extremities, inverses       propose_rotations(), propose_starts(), add_inverse_starts()
+//   propose  rotations, symmetric counterparts, matched     propose_rotations(), with_counterparts(), propose_starts(),
+//            extremities, inverses                          add_inverse_starts()
 //   choose   descents on coarse surfaces, eigenfunctions,   best_alignments(), choose_alignment(), choose_start()
 //            and a comparison on a finer level
 //   refine   the descent to the finest level                refine_start()

@@ -89,6 +89,13 @@ public:
     return Rotation_search(first(), *m_features.image, m_execution).best(n, m_control);
   }
 
+  // The rotation by 20 degrees or more after which the second surface resembles itself most. For a body with two similar sides, it is
+  // nearly a half-turn. The identity if the run is stopped.
+  Rotation_matrix symmetry_of_second() const
+  {
+    return Rotation_search(second(), *m_features.image, m_execution).best(2, m_control).back().rotation;
+  }
+
   using Extremities = std::vector<Surface_descriptor::Origin>;
   std::array<Extremities, 2> extremities()
   {
@@ -143,14 +150,10 @@ public:
     Guides result = {at_most(n, first().spectrum().functions()), {}};
     const std::vector<Vertex_scalars> functions = at_most(n, second().spectrum().functions());
     std::vector<Vertex_scalars> carried(functions.size(), Vertex_scalars(directions.size()));
-    const Sphere_image there = image(functions);
-    Vertex_scalars values(functions.size());
-    for(std::size_t v = 0; v < directions.size(); ++v)
-    {
-      there.interpolate(directions[v], values.data());
-      for(std::size_t k = 0; k < functions.size(); ++k)
-        carried[k][v] = first().areas()[v] * values[k];
-    }
+    const auto locations = second().sphere().locate(points_of(directions), m_execution);
+    for(std::size_t k = 0; k < functions.size(); ++k)
+      for(std::size_t v = 0; v < directions.size(); ++v)
+        carried[k][v] = first().areas()[v] * interpolated(functions[k], second().sphere().triangles(), locations[v]);
     result[1].assign(result[0].size(), Vertex_scalars(second().size(), 0.));
     in_parallel(result[0].size(), [&](std::size_t i) {
       for(std::size_t k = 0; k < functions.size(); ++k)

@@ -183,7 +183,7 @@ public:
   // half-turn; and the wave kernel signature, which distinguishes parts that distances do not distinguish. The first
   // `number_of_kept_features` are compared on finer levels as well; with the signature there, poses are matched less accurately.
   static constexpr int number_of_own_features = 5;
-  static constexpr std::size_t number_of_kept_features = 4;
+  static constexpr std::size_t number_of_kept_features = 4, index_of_fine_curvature = 2;
   void add_own_feature(int k)
   {
     if(k == number_of_own_features - 1)
@@ -191,16 +191,17 @@ public:
       add_wave_kernel_signature();
       return;
     }
-    // The times of heat diffusion over 0.045, where the distance of vertices is 0.024, and over twice this length. With less time, the
-    // curvature depends on the sampling; with more, it is that of the whole body, and small features are lost.
-    constexpr double fine = 0.002, coarse = 0.008;
+    // The times of heat diffusion over 0.03, where the distance of vertices is 0.024, and over 0.09. With less time, the curvature
+    // depends on the sampling; with more, it is that of the whole body, and small features are lost.
+    constexpr double fine = 0.001, coarse = 0.008;
     // The fine curvature distinguishes front from back better than all other features. In the descent and in the search for rotations,
     // its weight must not exceed that of the other features: its structures are small, and maps are attracted to the nearest ones.
     constexpr double weight_of_fine_curvature = 3.;
+    const bool is_fine = k == static_cast<int>(index_of_fine_curvature);
     add_ranks(k == 0   ? area_ratios()
               : k == 1 ? average_distance()
-                       : mean_curvature(m_rings, m_points, k == 2 ? fine : coarse, min_area));
-    m_weights_in_choice.push_back(k == 2 ? weight_of_fine_curvature : 1.);
+                       : mean_curvature(m_rings, m_points, is_fine ? fine : coarse, min_area));
+    m_weights_in_choice.push_back(is_fine ? weight_of_fine_curvature : 1.);
   }
 
   // A vertex, and the distances from it along the surface, divided by the mean of all distances.

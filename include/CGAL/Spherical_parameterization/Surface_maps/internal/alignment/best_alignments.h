@@ -109,14 +109,17 @@ inline void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_d
 // Adds the inverses of the best maps from the second to the first surface as starts. A descent in one direction often finds a map that
 // no start leads to in the other one.
 inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& pair,
-                               const std::vector<Alignment>& rotations, const Alignment_descent& descent,
+                               const std::vector<Rotation_matrix>& rotations, const Alignment_descent& descent,
                                std::vector<Alignment_start>& starts)
 {
   constexpr std::size_t n_inverses = 2;
   Coarse_pair reversed = surfaces.reversed();
   const Target_metric metric(pair.first.sphere, pair.first.points, pair.execution);
   const Alignment_descent descent_back(reversed, metric);
-  std::vector<Alignment_start> found = propose_starts(reversed, inverses(rotations), descent_back);
+  std::vector<Rotation_matrix> rotations_back;
+  for(const Rotation_matrix& rotation : rotations)
+    rotations_back.push_back(transposed(rotation));
+  std::vector<Alignment_start> found = propose_starts(reversed, rotations_back, descent_back);
   choose_on_first_levels(reversed, descent_back, found);
   choose_on_last_levels(reversed, descent_back, pair.settings.feature_weight, found);
   const Mesh_hierarchy levels = descent.levels();
@@ -129,16 +132,17 @@ inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& 
 // differ by 20 degrees or more in the mean. They are rotations, without directions, if the surfaces are copies or the run is stopped.
 inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Surface_pair& pair)
 {
-  const Rotation_candidates rotations = propose_rotations(surfaces, pair.first.sphere, pair.second.sphere);
-  if(rotations.are_of_same_shape || !surfaces.goes_on())
-    return rotations.alignments;
+  const Rotation_candidates found = propose_rotations(surfaces, pair.first.sphere, pair.second.sphere);
+  if(found.are_of_same_shape || !surfaces.goes_on())
+    return found.alignments;
+  const std::vector<Rotation_matrix> rotations = with_counterparts(surfaces, found.alignments);
   const Alignment_descent descent(surfaces, pair.metric);
-  std::vector<Alignment_start> starts = propose_starts(surfaces, rotations.alignments, descent);
+  std::vector<Alignment_start> starts = propose_starts(surfaces, rotations, descent);
   choose_on_first_levels(surfaces, descent, starts);
-  add_inverse_starts(surfaces, pair, rotations.alignments, descent, starts);
+  add_inverse_starts(surfaces, pair, rotations, descent, starts);
   choose_on_last_levels(surfaces, descent, pair.settings.feature_weight, starts);
   if(starts.empty())
-    return rotations.alignments;
+    return found.alignments;
   std::vector<Alignment> result;
   for(Alignment_start& start : starts)
     result.push_back(std::move(start.alignment));

@@ -36,7 +36,7 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   // threshold, copies go through the descent and end with an error of 1.3 degrees, while that of the rotation is 0.2; with a smaller
   // one, poses are only rotated.
   constexpr double min_score_of_same_shape = 0.97;
-  constexpr std::size_t n_rotations = 5; // with 8, and 12 matchings, the same maps win
+  constexpr std::size_t n_rotations = 4; // with 5, and 7 matchings, the same maps win
   Rotation_candidates result;
   std::vector<Alignment>& alignments = result.alignments;
   for(const Scored_rotation& r : surfaces.best_rotations(n_rotations))
@@ -53,30 +53,37 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   return result;
 }
 
+// These rotations, and their counterparts by the approximate symmetry of the second surface. If features of a person prefer a half-turn,
+// the correct rotation may be no local maximum, and no other one near it.
+inline std::vector<Rotation_matrix> with_counterparts(const Coarse_pair& surfaces,
+                                                      const std::vector<Alignment>& alignments)
+{
+  constexpr std::size_t n_counterparts = 3;
+  const Rotation_matrix symmetry = surfaces.symmetry_of_second();
+  std::vector<Rotation_matrix> result;
+  for(const Alignment& alignment : alignments)
+    result.push_back(alignment.rotation);
+  for(std::size_t k = 0; k < alignments.size() && k < n_counterparts; ++k)
+    result.push_back(product(symmetry, alignments[k].rotation));
+  return result;
+}
+
 // The starts of descents: these rotations, and rotations that align extremities which may correspond.
-inline std::vector<Alignment_start> propose_starts(Coarse_pair& surfaces, const std::vector<Alignment>& rotations,
+inline std::vector<Alignment_start> propose_starts(Coarse_pair& surfaces, const std::vector<Rotation_matrix>& rotations,
                                                    const Alignment_descent& descent)
 {
-  constexpr std::size_t n_matchings = 7;
+  constexpr std::size_t n_matchings = 5;
   std::vector<Alignment_start> starts;
   const Mesh_hierarchy levels = descent.levels();
   const auto extremities = surfaces.extremities();
-  for(const Alignment& alignment : rotations)
-    starts.push_back(descent.start_from(levels, alignment.rotation, surfaces.distance_guides(extremities, {})));
+  for(const Rotation_matrix& rotation : rotations)
+    starts.push_back(descent.start_from(levels, rotation, surfaces.distance_guides(extremities, {})));
   for(const Extremity_matching& matching :
       Extremity_search(extremities[0], extremities[1])
           .best(n_matchings, surfaces.first().directions(), surfaces.second().directions()))
     starts.push_back(
         descent.start_from(levels, matching.rotation, surfaces.distance_guides(extremities, matching.pairs)));
   return starts;
-}
-
-// The rotations from the second to the first sphere.
-inline std::vector<Alignment> inverses(std::vector<Alignment> rotations)
-{
-  for(Alignment& alignment : rotations)
-    alignment.rotation = transposed(alignment.rotation);
-  return rotations;
 }
 
 // Moves the corners of inverted faces to the means of their neighbors until no face is inverted; returns false if that fails.
