@@ -6,7 +6,7 @@ mapped in one direction. The meshes are NAME.off.gz or NAME.obj.gz. For the kind
 corresponding vertices, line by line, counted from 1, and NAME.sym.vts their mirror images. For the kind `landmarks`, NAME.vts, or
 NAME/landmarks0.txt and so on for NAME/input0 and NAME/input1, list landmarks, counted from 0. Pairs with landmarks in .vts files are
 mapped once more without them, and the landmarks then measure the error. Of tosca_between, the other combinations of first and second
-surfaces have a row of their own. Takes 25 minutes; needs numpy and scipy.
+surfaces have a row of their own. Takes 20 minutes; needs numpy and scipy.
 
 With --noise SEED, coordinates of all meshes get normally distributed noise of 1e-5 of the largest extent, to show how far results
 depend on small differences.
