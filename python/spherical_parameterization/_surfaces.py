@@ -92,8 +92,8 @@ class SurfaceMapReport:
         determined the rotations because features did not agree.
     margin : float
         Advantage of the alignment over the next best different one. Alignments that are nearly as good on coarse surfaces
-        are compared on a finer level: the score is the agreement of the features of the caller or, without such, of the
-        mean curvature at two fine scales. At least 0.15 if no other alignment came that near.
+        are compared on a finer level: the score is the agreement of the features, among which the mean curvatures at the
+        two finest scales count ten times unless the caller provides features. 0.15 if no other alignment came that near.
     expected_error : float or None
         Expected distance of the images of vertices from their correct positions, over the square root of the area of the
         second surface; the mean over the first surface. None for features of the caller, if landmarks alone determined the

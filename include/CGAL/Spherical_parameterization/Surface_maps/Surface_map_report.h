@@ -49,8 +49,8 @@ struct Surface_map_report
 
   /// The difference between the scores of the chosen alignment and of the best alternative, at most 0.15. The value 0.15
   /// means that no alternative is closer. Alternatives that are nearly as good on coarse surfaces are compared on a finer
-  /// level. There, the score is the agreement of the features of the caller or, without such, of the mean curvature at two
-  /// fine scales, minus the mean distance from the landmarks.
+  /// level. There, the score is the agreement of the features minus the mean distance from the landmarks. Of the features of
+  /// the package, the mean curvatures at the two finest scales count ten times as much as the others.
   double margin = 0.;
 
   /// The expected distance between the images of vertices and the correct corresponding points, divided by the square root

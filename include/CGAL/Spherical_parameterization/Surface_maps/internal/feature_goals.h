@@ -65,8 +65,7 @@ inline double weight_of_features(double agreement, const Surface_map_settings& s
 // coarser curvatures, areas on the sphere and the energy sometimes. Only smooth bodies need the others.
 inline std::vector<double> weights_in_last_choice(const Feature_goals& features, const Surface_map_settings& settings)
 {
-  constexpr double weight_of_fine_curvatures =
-      10.; // with 1, one of 70 maps between gorillas and persons is a half-turn
+  constexpr double weight_of_fine_curvatures = 10.; // with 1, one of 70 gorillas and persons is a half-turn
   std::vector<double> result(features.image->number_of_channels(), 1.);
   if(settings.features[0].empty() && result.size() > Surface_descriptor::index_of_fine_curvature)
     result[Surface_descriptor::index_of_fine_curvature] = result.back() = weight_of_fine_curvatures;

@@ -90,7 +90,7 @@ public:
   }
 
   // The rotation by 20 degrees or more after which the second surface resembles itself most. For a body with two similar sides, it is
-  // nearly a half-turn. The identity if the run is stopped.
+  // nearly a half-turn. If there is none, or the run is stopped, another rotation, which is a useless but valid start.
   Rotation_matrix symmetry_of_second() const
   {
     return Rotation_search(second(), *m_features.image, m_execution).best(2, m_control).back().rotation;

@@ -86,7 +86,7 @@ inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_
   // Before the end of the descent, the better one of two similar starts is not yet known, so only nearly identical ones are merged.
   constexpr double min_angle = CGAL_PI / 36.;
   constexpr double max_lag = 0.2; // behind the best score; with 0.12, a person is mapped onto a gorilla by a half-turn
-  constexpr std::size_t n_kept = 8; // with 4, a gorilla and a person are aligned less accurately
+  constexpr std::size_t n_kept = 8; // with 5, a gorilla is mapped onto a person incorrectly
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
   keep_best(min_angle, starts);
   while(starts.size() > n_kept ||
