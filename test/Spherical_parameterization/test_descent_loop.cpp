@@ -3,10 +3,15 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Block_coordinate_descent.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Measured_faces.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Objective.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Large_array.h>
 
 #include "engine.h"
 #include "methods.h"
 #include "random_stars.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
 
 using namespace test;
 
@@ -189,6 +194,28 @@ TEST(Block_coordinate_descent, takes_over_another_mesh)
     assign(own, mesh);
     assign(descent, mesh);
     EXPECT_TRUE(have_same_bits(optimize(descent, mesh, in_parallel), optimize(own, mesh, Execution())));
+  }
+}
+
+// Arrays of all sizes around that of a huge page, of which large ones begin with one.
+TEST(Large_array, keeps_its_elements)
+{
+  using Array = Large_array<std::uint32_t>;
+  constexpr std::size_t n_of_page = (std::size_t(1) << 21) / sizeof(std::uint32_t);
+  Array last;
+  for(const std::size_t n : {n_of_page - 1, n_of_page, n_of_page + 1, 3 * n_of_page - 1, 5 * n_of_page + 12345})
+  {
+    Array numbers(n, boost::container::default_init);
+    std::iota(numbers.begin(), numbers.end(), 7u);
+    Array copy = numbers;
+    copy.push_back(0);
+    numbers.swap(last);
+    ASSERT_EQ(copy.size(), n + 1);
+    EXPECT_TRUE(std::equal(last.begin(), last.end(), copy.begin()));
+    EXPECT_EQ(copy[n - 1], n + 6);
+#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
+    EXPECT_TRUE(n < n_of_page || reinterpret_cast<std::uintptr_t>(last.data()) % (std::size_t(1) << 21) == 0);
+#endif
   }
 }
 

@@ -19,13 +19,12 @@
 #include <CGAL/Spherical_parameterization/internal/descent/Energy_summary.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Face_energy.h>
 #include <CGAL/Spherical_parameterization/internal/descent/Star_packets.h>
+#include <CGAL/Spherical_parameterization/internal/execution/Large_array.h>
 #include <CGAL/Spherical_parameterization/internal/execution/parallel.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
 
 #include <CGAL/assertions.h>
-
-#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -356,8 +355,8 @@ private:
   }
 
   std::size_t m_number_of_faces = 0, m_number_of_rows = 0; // of rows, which come first
-  boost::container::vector<Packet> m_packets;
-  boost::container::vector<Measured> m_measured;
+  Large_array<Packet> m_packets;
+  Large_array<Measured> m_measured;
   std::vector<Face_invariants_3> m_invariants; // for radius policies
   double m_radius = 1.;
   std::vector<Energy_summary> m_partial; // of the blocks

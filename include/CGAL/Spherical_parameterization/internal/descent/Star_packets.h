@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/execution/Large_array.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Eight_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Packed_double.h>
 #include <CGAL/Spherical_parameterization/internal/numbers/Vector_3.h>
@@ -21,8 +22,6 @@
 #include <CGAL/Spherical_parameterization/internal/surface/Rest_triangle.h>
 
 #include <CGAL/assertions.h>
-
-#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -345,12 +344,12 @@ private:
   // Growing a vector step by step takes twice the memory and copies contents that are no longer needed. New elements
   // are not initialized here; fill() touches the memory in parallel.
   template <class T>
-  static void resize(boost::container::vector<T>& numbers, std::size_t n)
+  static void resize(Large_array<T>& numbers, std::size_t n)
   {
     if(n > numbers.capacity())
     {
       const bool is_first = numbers.empty();
-      boost::container::vector<T>().swap(numbers);
+      Large_array<T>().swap(numbers);
       numbers.reserve(is_first ? n : n + n / 16);
     }
     numbers.resize(n, boost::container::default_init);
@@ -359,8 +358,8 @@ private:
   std::vector<Packet> m_packets;
   std::vector<std::size_t> m_first_packet;
   std::vector<std::uint32_t> m_vertices, m_degrees; // of the slots
-  boost::container::vector<std::uint32_t> m_neighbors;
-  boost::container::vector<double> m_rest;
+  Large_array<std::uint32_t> m_neighbors;
+  Large_array<double> m_rest;
 };
 
 } // namespace CGAL::Spherical_parameterization::internal

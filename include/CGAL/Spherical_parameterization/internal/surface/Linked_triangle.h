@@ -14,11 +14,12 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/execution/Large_array.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Spherical_parameterization::internal {
@@ -65,7 +66,7 @@ inline std::vector<Linked_triangle> link_triangles(const Index_triangles& triang
   };
   constexpr std::uint32_t is_paired = (std::numeric_limits<std::uint32_t>::max)();
   // The first side of each edge, at most as many for each vertex as it has triangles.
-  const std::unique_ptr<Side[]> first_sides(new Side[3 * triangles.size()]);
+  Large_array<Side> first_sides(3 * triangles.size(), boost::container::default_init);
   std::vector<Range> sides_at(n);
   for(std::uint32_t v = 0, begin = 0; v < n; begin += degrees[v++])
     sides_at[v] = {begin, begin};
