@@ -277,10 +277,11 @@ TEST(Hierarchical_embedding, minimizes_the_objective_on_levels)
   };
   const auto number_of_sweeps = [&](Images positions) {
     Recording_control control;
-    Descent_loop<SP::Symmetric_Dirichlet_energy_3, Newton_step>(
-        mesh.rings(), mesh.points(), mesh.unit(), Face_energy<SP::Symmetric_Dirichlet_energy_3>(energy), Newton_step(),
-        SP::Sharpness(), nullptr, Descent_settings(), control, Execution())
-        .run(positions, 250);
+    using Loop = Descent_loop<SP::Symmetric_Dirichlet_energy_3, Newton_step>;
+    const Loop::Space space{Loop::Space::Energy(energy)};
+    Block_coordinate_descent<Loop::Space, Newton_step> descent(space, Newton_step(), Execution());
+    descent.assign(mesh.rings(), Independent_sets(mesh.rings()), mesh.points(), {}, Rest_limits());
+    Loop(descent, mesh.unit(), SP::Sharpness(), nullptr, Descent_settings(), control, Execution()).run(positions, 250);
     EXPECT_EQ(control.report().stop_reason, SP::CONVERGED);
     return control.report().number_of_iterations();
   };

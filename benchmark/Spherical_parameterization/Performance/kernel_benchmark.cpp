@@ -283,7 +283,7 @@ std::size_t embed(Situation& s, Execution execution, benchmark::State& state)
   using Plan = internal::Hierarchical_embedding<Energy>;
   const internal::Level_settings settings = {internal::default_sweeps_per_level, false, SP::Sharpness(), {}};
   const internal::Rest_limits limits;
-  Plan plan(internal::Face_energy<Energy>(Energy()), settings, limits, s.mesh.points(), run.control, execution);
+  Plan plan(internal::Face_energy<Energy>(Energy()), settings, limits, run.control, execution);
   internal::set_tetrahedron(hierarchy, positions);
   internal::Level_descent<Plan>(hierarchy, s.mesh.points(), limits, plan, run.control, execution).run(positions);
   benchmark::DoNotOptimize(positions.data());

@@ -93,6 +93,7 @@ public:
   {}
 
   Space& space() { return m_space; }
+  void set_step(const Step& step) { m_step = step; }
 
   // Sets the mesh, whose rings must be valid until the next call; measurements and the focus are then invalid. `points`
   // are those of the surface, scaled to the area 4 pi. If `densities` are given, one for each vertex, a face keeps its
@@ -108,6 +109,8 @@ public:
       m_places[m_stars.vertex(place)] = static_cast<std::uint32_t>(place);
     m_faces.assign(m_stars, m_places, rings.number_of_faces(), m_execution);
   }
+
+  std::size_t number_of_vertices() const { return m_rings->number_of_vertices(); }
 
   // Reserves memory for a mesh with this number of vertices, so that it and the smaller meshes before it use the same
   // memory, except for irregular packets of stars. The memory is not touched before it is used.

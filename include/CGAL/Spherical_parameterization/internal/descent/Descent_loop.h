@@ -76,29 +76,23 @@ template <class Energy, class Step>
 class Descent_loop
 {
 public:
-  // The unit is the radius of the sphere with the area of the surface, from which the descent starts. If `densities` are
-  // given, one for each vertex, the area of a face is multiplied by the mean of its vertices' densities; see
-  // Block_coordinate_descent.
-  Descent_loop(const Vertex_rings& rings, const std::vector<Vector_3d>& points, const Length_unit& unit,
-               const Face_energy<Energy>& energy, const Step& step, const Sharpness& sharpness, Radius_chooser* radius,
-               const Descent_settings& settings, Run_control& control, Execution execution,
-               std::vector<double> densities = {}, const Rest_limits& limits = Rest_limits())
+  using Space = Round_sphere<Energy, Step>;
+
+  // The descent has been given the mesh; it and the control must outlive this object. The unit is the radius of the
+  // sphere with the area of the surface, from which the loop starts.
+  Descent_loop(Block_coordinate_descent<Space, Step>& descent, const Length_unit& unit, const Sharpness& sharpness,
+               Radius_chooser* radius, const Descent_settings& settings, Run_control& control, Execution execution)
     : m_unit(unit)
-    , m_number_of_vertices(points.size())
-    , m_descent(Round_sphere<Energy, Step>(energy), step, execution)
-    , m_smooth_step(Round_sphere<Energy, Step>(energy), points.size(), !radius)
+    , m_number_of_vertices(descent.number_of_vertices())
+    , m_descent(descent)
+    , m_smooth_step(descent.space(), m_number_of_vertices, !radius)
     , m_execution(execution)
-    , m_isometric_energy(energy(2., 1.))
+    , m_isometric_energy(descent.space().energy()(2., 1.))
     , m_objective(sharpness, !radius)
     , m_radius_chooser(radius)
     , m_settings(settings)
     , m_control(control)
-  {
-    if constexpr(follows_curvature<Energy>)
-      if(densities.empty())
-        densities = vertex_densities(rings, points, curvature_masses(rings, points));
-    m_descent.assign(rings, Independent_sets(rings), points, densities, limits);
-  }
+  {}
 
   // Minimizes the objective over the positions on the unit sphere in at most `max_sweeps` sweeps, and returns the
   // radius by flat areas.
@@ -361,8 +355,8 @@ private:
 
   Length_unit m_unit; // the caller's unit is that of radii
   std::size_t m_number_of_vertices;
-  Block_coordinate_descent<Round_sphere<Energy, Step>, Step> m_descent;
-  Smooth_step<Round_sphere<Energy, Step>> m_smooth_step;
+  Block_coordinate_descent<Space, Step>& m_descent;
+  Smooth_step<Space> m_smooth_step;
   Execution m_execution;
   std::vector<Vector_3d> m_moved;
   Smooth_step_schedule m_smooth_steps;

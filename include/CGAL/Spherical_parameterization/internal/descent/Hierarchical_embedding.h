@@ -75,13 +75,12 @@ class Hierarchical_embedding
 public:
   using Space = Round_sphere<Energy, Newton_step>;
 
-  // The points are those of the finest level; they and the control must outlive this object.
+  // The control must outlive this object.
   Hierarchical_embedding(const Face_energy<Energy>& energy, const Level_settings& settings, const Rest_limits& limits,
-                         const std::vector<Vector_3d>& points, Run_control& control, const Execution& execution)
+                         Run_control& control, const Execution& execution)
     : m_energy(energy)
     , m_settings(settings)
     , m_limits(limits)
-    , m_points(points)
     , m_control(control)
     , m_execution(execution)
   {
@@ -120,18 +119,18 @@ public:
     return m_has_descended && sweep > 0 ? m_objective : Face_objective();
   }
 
-  // Minimizes the objective on some levels. The radius becomes that of the minimum.
-  void finish_level(const Mesh_hierarchy& hierarchy, std::size_t k, std::vector<Vector_3d>& positions, double& radius)
+  // Minimizes the objective on some levels, which have been swept. The radius becomes that of the minimum.
+  void finish_level(Block_coordinate_descent<Space, Newton_step>& descent, const Mesh_hierarchy& hierarchy,
+                    std::size_t k, std::vector<Vector_3d>& positions, double& radius)
   {
     if(!m_settings.sharpness || !is_to_descend(hierarchy, k) || m_control.is_stopped())
       return;
-    const Mesh_hierarchy::Level& level = hierarchy.level(k);
-    const std::vector<Vector_3d> points = level.gathered(m_points);
     Level_control control(m_control);
-    Descent_loop<Energy, Newton_step> loop(hierarchy.rings(k), points, Length_unit(), m_energy, Newton_step(),
-                                           *m_settings.sharpness, nullptr, m_settings.descent, control, m_execution,
-                                           vertex_densities(hierarchy.rings(k), points, level.areas), m_limits);
+    descent.set_step(Newton_step());
+    Descent_loop<Energy, Newton_step> loop(descent, Length_unit(), *m_settings.sharpness, nullptr, m_settings.descent,
+                                           control, m_execution);
     loop.minimize(positions, default_number_of_sweeps(positions.size()));
+    descent.set_step(step());
     radius = loop.scaled_radius();
     m_objective = loop.objective();
     m_has_descended = true;
@@ -184,7 +183,6 @@ private:
   Face_energy<Energy> m_energy;
   Level_settings m_settings;
   Rest_limits m_limits;
-  const std::vector<Vector_3d>& m_points;
   Run_control& m_control;
   Execution m_execution;
   Face_objective m_objective; // of the last descent
@@ -231,8 +229,7 @@ bool embed_hierarchically(const Surface& mesh, const Energy& energy, const Level
     attempt.sweeps_per_level *= sweeps_factor;
     if(report.number_of_attempts > 1)
       attempt.sharpness.reset(); // room for insertions comes first
-    Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), attempt, limits, mesh.points(), control,
-                                        execution);
+    Hierarchical_embedding<Energy> plan(Face_energy<Energy>(energy, guard), attempt, limits, control, execution);
     positions.resize(mesh.number_of_vertices());
     set_tetrahedron(hierarchy, positions);
     return Level_descent(hierarchy, mesh.points(), limits, plan, control, execution).run(positions);

@@ -86,7 +86,7 @@ public:
       const bool has_settled = sweeps.maximum > 0 && relax(level, m_hierarchy.rings(k), local, sweeps);
       if(k == 0 && sweeps.maximum > 0)
         m_control.report().stop_reason = has_settled ? CONVERGED : ITERATION_LIMIT;
-      m_plan.finish_level(m_hierarchy, k, local, m_radius);
+      m_plan.finish_level(m_descent, m_hierarchy, k, local, m_radius);
       for(std::size_t v = 0; v < local.size(); ++v)
         positions[level.vertices[v]] = local[v];
       m_control.on_level(local.size());

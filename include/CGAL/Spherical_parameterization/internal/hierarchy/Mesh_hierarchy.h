@@ -119,7 +119,7 @@ public:
   {
     std::vector<std::uint32_t> vertices; // their indices in the given mesh
     std::vector<double> areas;           // of the surface that the vertices represent
-    std::vector<Removed_vertex> removed; // empty at the coarsest level
+    std::vector<Removed_vertex> removed; // empty at the coarsest level that was built
 
     // The values of this level's vertices, from an array over the vertices of the given mesh.
     std::vector<Vector_3d> gathered(const std::vector<Vector_3d>& all) const

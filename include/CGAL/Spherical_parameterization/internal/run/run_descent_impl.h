@@ -56,10 +56,17 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
   Parameterization_report& report = run.control.report();
   const bool can_be_swept = !report.used_last_resort || are_safely_positive(run.surface.rings(), run.positions);
   const Surface& surface = run.surface;
-  Descent_loop<Energy, Step> loop(surface.rings(), surface.points(), surface.unit(), Face_energy<Energy>(energy),
-                                  Step(), sharpness, radius, settings, run.control, run.execution,
-                                  shares.empty() ? shares
-                                                 : vertex_densities(surface.rings(), surface.points(), shares));
+  const Vertex_rings& rings = surface.rings();
+  const std::vector<Vector_3d>& points = surface.points();
+  std::vector<double> densities;
+  if(!shares.empty())
+    densities = vertex_densities(rings, points, shares);
+  else if(follows_curvature<Energy>)
+    densities = vertex_densities(rings, points, curvature_masses(rings, points));
+  using Space = Round_sphere<Energy, Step>;
+  Block_coordinate_descent<Space, Step> descent(Space(Face_energy<Energy>(energy)), Step(), run.execution);
+  descent.assign(rings, Independent_sets(rings), points, densities, Rest_limits());
+  Descent_loop<Energy, Step> loop(descent, surface.unit(), sharpness, radius, settings, run.control, run.execution);
   run.radius = loop.run(run.positions, can_be_swept ? max_sweeps : 0);
   if(!can_be_swept && report.stop_reason == ITERATION_LIMIT)
     report.stop_reason = OBSTRUCTED;

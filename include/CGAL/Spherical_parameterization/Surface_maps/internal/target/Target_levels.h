@@ -108,7 +108,9 @@ public:
   {
     return summary.has_settled(summary.average(), last_mean, tolerance) && !space.has_open_landmarks();
   }
-  void finish_level(const Mesh_hierarchy&, std::size_t, std::vector<Vector_3d>&, double&) const {}
+  void finish_level(Block_coordinate_descent<Space, Newton_step>&, const Mesh_hierarchy&, std::size_t,
+                    std::vector<Vector_3d>&, double&) const
+  {}
 
 private:
   Target_sphere m_space;
