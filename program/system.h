@@ -13,7 +13,7 @@ namespace Program {
 
 // Functions that differ between POSIX and Windows. File names are UTF-8 on every system, and bytes are written unchanged.
 
-/// prepares standard streams and signals, and returns the words of the command line after the name of the program.
+/// prepares standard streams, signals and the heap, and returns the words of the command line after the name of the program.
 Words start_process(int argc, char** argv);
 
 /// The signal that a closed terminal sends.
