@@ -32,7 +32,7 @@ struct Surface_map_report
 {
   /// The symmetric Dirichlet energy of the map, measured on the common refinement: the mean of both directions. It is 2 for
   /// an isometry up to scale. It is infinite if a surface has no area. It is 0 if it has not been measured, because the run
-  /// was stopped or because double precision suffices for the start only.
+  /// was stopped or because double precision suffices for a rotation only.
   double energy = 0.;
 
   /// The distortion of the map as measured by `measure_distortion_between()`; none if the energy has not been measured, or
@@ -44,7 +44,8 @@ struct Surface_map_report
   bool is_energy_sampled = false;
 
   /// The correlation of the features after the surfaces have been aligned on coarse levels, at most 1. It is 0 if the
-  /// rotation was determined by landmarks alone because the features did not agree.
+  /// rotation was determined by landmarks alone, because the features did not agree or because it misses fewer landmarks, or
+  /// if the alignment was kept; the margin is then 0 as well.
   double agreement = 0.;
 
   /// The difference between the scores of the chosen alignment and of the best alternative, at most 0.15. The value 0.15
@@ -74,14 +75,14 @@ struct Surface_map_report
   /// The number of hard landmarks that are not met
   std::size_t number_of_missed_landmarks = 0;
 
-  /// The reason why the descent on the last level ended: `CONVERGED`, also for surfaces that agree as given;
+  /// The reason why the descent on the last level ended: `CONVERGED`, also for copies, which are only rotated;
   /// `ITERATION_LIMIT`; `STOPPED`; `TIME_LIMIT`; or `OBSTRUCTED` if double precision does not suffice for the descent, so that
-  /// the map is its start
+  /// the map is a rotation
   Stop_reason stop_reason = NOT_RUN;
 
   std::size_t number_of_sweeps = 0;  ///< The number of sweeps over levels of the first surface
   double seconds_for_reading = 0.;   ///< The time for reading both surfaces and certifying their maps
-  double seconds_for_alignment = 0.; ///< The time for aligning the surfaces
+  double seconds_for_alignment = 0.; ///< The time for aligning the surfaces, and for measuring the energy of a rotation
   double seconds_for_descent = 0.;   ///< The time for minimizing the energy
   double seconds_for_overlay = 0.;   ///< The time for measuring the energy, usually on the common refinement
 };

@@ -65,9 +65,9 @@ public:
 
   /// sets the landmarks.
   ///
-  /// Landmarks guide the alignment together with features, and contribute to the score of the candidates. If the final
-  /// agreement of the features is below 0.5, and at least two landmarks have different directions, the rotation is determined
-  /// by landmarks alone.
+  /// Landmarks guide the alignment together with features, and contribute to the score of the candidates. If the
+  /// features agree by less than 0.5 on coarse surfaces, or if hard landmarks would be missed otherwise, and at least two
+  /// landmarks have different directions, the rotation is determined by landmarks alone.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_landmarks = std::move(landmarks); });
@@ -120,12 +120,13 @@ public:
     return with([&](Surface_mapper_3& mapper) { mapper.m_masks = std::move(masks); });
   }
 
-  /// sets the weight of features after the alignment of the spheres. The default is 4.
+  /// sets the weight of features in the descent after the first levels of the alignment. The default is 4.
   ///
   /// The mean of the squared differences of their ranks, which range from -1 to 1, times this weight is added to the mean
-  /// energy. For features of the package, the weight is also multiplied by the fourth power of their agreement.
+  /// energy. For features of the package, the weight is also multiplied by the fourth power of their agreement on levels finer
+  /// than the coarse surfaces.
   ///
-  /// \param weight a non-negative number; with 0, features are used for the alignment of the spheres only
+  /// \param weight a non-negative number; with 0, features only propose alignments and compare them on coarse surfaces
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_settings.feature_weight = weight; });

@@ -39,8 +39,8 @@ namespace CGAL::Spherical_parameterization {
 /// <b>Method.</b> Several alignments of the spheres are proposed by features and by extremities, and compared by descents on
 /// coarse levels. The best one is refined: the symmetric Dirichlet energy of the map \cgalCite{cgal:ss-bpfb-15}, integrated over
 /// both surfaces, is minimized on the levels of a hierarchy \cgalCite{cgal:saph-ism-04}, together with terms for soft landmarks
-/// and features. If the spheres agree as given, the result is a rotation, unless the descent lowers the energy on the common
-/// refinement. See \ref PkgSphericalParameterizationHowItWorks for details.
+/// and features. If the spheres of copies differ by a rotation, this is the result, unless the descent lowers the energy on the
+/// common refinement. See \ref PkgSphericalParameterizationHowItWorks for details.
 ///
 /// <b>Atlases.</b> For an atlas that consists of a sphere with features and has no other surface, use its map to the sphere as
 /// `vertex_point_map` of the second mesh. The minimized distortion is then that of the map from the first surface to the

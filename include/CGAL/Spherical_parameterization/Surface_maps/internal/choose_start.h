@@ -36,8 +36,8 @@ struct Surface_start
   double margin = 0.;
   bool is_uncertain = false;
   std::vector<Rival> rivals;              // alternative alignments that are nearly as good
-  std::unique_ptr<Surface_levels> levels; // of the first surface, if it has been compared with the second one
-  std::unique_ptr<Coarse_pair> surfaces;  // if they could be compared
+  std::unique_ptr<Surface_levels> levels; // of the first surface; null if the alignment is kept or by landmarks alone
+  std::unique_ptr<Coarse_pair> surfaces;  // null in these cases, and if double precision does not suffice
   Feature_goals features;                 // features of the first surface and of the sphere of the second one
 
   // Replaces the alignment by a rotation that was determined by landmarks alone.
@@ -54,7 +54,7 @@ struct Surface_start
 };
 
 // Computes the levels of the first surface, and the coarse surfaces, unless double precision does not suffice for these.
-inline void compare_surfaces(const Surface_pair& pair, Surface_start& start)
+inline void build_coarse_surfaces(const Surface_pair& pair, Surface_start& start)
 {
   const Surface_map_settings& settings = pair.settings;
   const auto levels_of = [&](const Located_surface& surface) {
@@ -77,13 +77,13 @@ inline void choose_alignment(const Surface_pair& pair, std::vector<Alignment> ca
   constexpr std::size_t max_candidates = 4, batch_size = 2;
   start.margin = candidates.size() > 1 ? (std::min)(candidates[0].score - candidates[1].score, max_lag) : max_lag;
   std::size_t n = candidates[0].directions.empty() ? 0 : 1;
-  while(n > 0 && start.features.image && n < candidates.size() && n < max_candidates &&
-        candidates[n].score > candidates[0].score - max_lag)
+  while(n > 0 && start.features.image && // there is none if the weight of features is 0
+        n < candidates.size() && n < max_candidates && candidates[n].score > candidates[0].score - max_lag)
     ++n;
   if(n > 0)
     start.surfaces->find_spectra();
   const Alignment_descent descent(*start.surfaces, pair.metric);
-  std::vector<double> scores(n, 0.);
+  std::vector<double> scores(n, 0.); // on the finer level
   const bool are_compared = n > 1;
   n = run_in_batches(*start.surfaces, n, batch_size, [&](std::size_t k) {
     Alignment& alignment = candidates[k];
@@ -130,7 +130,7 @@ inline Surface_start choose_start(const Surface_pair& pair)
     result.features = feature_goals(pair, nullptr);
   else
   {
-    compare_surfaces(pair, result);
+    build_coarse_surfaces(pair, result);
     std::vector<Alignment> candidates(1);
     if(result.surfaces)
     {

@@ -63,15 +63,15 @@ inline Vertex_scalars squared_slopes(const Surface_descriptor& surface)
 inline double expected_errors(const Surface_pair& pair, const Surface_start& start,
                               const std::vector<Vector_3d>& directions, Vertex_scalars& errors)
 {
-  constexpr double factor = 13.3, of_agreement = -3.3, least_way = 0.003, least_slope = 1.;
+  constexpr double factor = 13.3, of_agreement = -3.3, least_displacement = 0.003, least_slope = 1.;
   constexpr double decay_with_lag = 0.1, fraction_of_rival = 0.25;
-  constexpr double mean_distance = 0.5; // of two points, for most surfaces: the error of an arbitrary image
+  constexpr double max_error = 0.5; // the mean distance of two points of most surfaces
   constexpr double time_of_heat = 0.0025, tolerance = 1e-3, min_area = 1e-12; // diffusion over 0.05, two edges
   const Surface_descriptor &first = start.surfaces->first(), &second = start.surfaces->second();
   if(!(start.alignment.agreement > 0.)) // there is no information, for example on a regular tetrahedron
   {
-    errors.assign(pair.first.points.size(), mean_distance);
-    return mean_distance;
+    errors.assign(pair.first.points.size(), max_error);
+    return max_error;
   }
   const std::vector<Linked_triangle>&triangles1 = pair.first.sphere.triangles(),
         &triangles2 = second.sphere().triangles();
@@ -89,7 +89,7 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
       result.push_back(interpolated(values, triangles2, location));
     return result;
   };
-  const auto ways_from = [&](const std::vector<Vector_3d>& coarse) {
+  const auto displacements_from = [&](const std::vector<Vector_3d>& coarse) {
     const auto others =
         locate(coarse.empty() ? rotated_directions(start.alignment.rotation, first.directions()) : coarse);
     Vertex_scalars result;
@@ -120,24 +120,24 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
   }
   const Vertex_scalars differences = smoothed_roots(squared_differences),
                        slopes = smoothed_roots(at_images(squared_slopes(second))),
-                       before = smoothed(ways_from(start.alignment.before_matching)),
-                       since = smoothed(ways_from(start.alignment.directions));
+                       before = smoothed(displacements_from(start.alignment.before_matching)),
+                       since = smoothed(displacements_from(start.alignment.directions));
   Vertex_scalars by_rivals(n, 0.);
   for(const Surface_start::Rival& rival : start.rivals)
   {
-    const Vertex_scalars ways = ways_from(rival.directions);
+    const Vertex_scalars ways = displacements_from(rival.directions);
     const double share = fraction_of_rival * exponential(-rival.lag / decay_with_lag);
     for(std::size_t v = 0; v < n; ++v)
       by_rivals[v] = (std::max)(by_rivals[v], share * ways[v]);
   }
-  const double level = factor * exponential(of_agreement * start.alignment.agreement);
+  const double scale = factor * exponential(of_agreement * start.alignment.agreement);
   Vertex_scalars coarse_errors(n);
   double sum = 0., area = 0.;
   for(std::size_t v = 0; v < n; ++v)
   {
-    const double way = std::sqrt((before[v] + least_way) * (since[v] + least_way));
+    const double way = std::sqrt((before[v] + least_displacement) * (since[v] + least_displacement));
     coarse_errors[v] = (std::min)(
-        level * std::sqrt(way * differences[v]) / cube_root(slopes[v] + least_slope) + by_rivals[v], mean_distance);
+        scale * std::sqrt(way * differences[v]) / cube_root(slopes[v] + least_slope) + by_rivals[v], max_error);
     if(!first.counts(v))
       continue;
     sum += first.areas()[v] * coarse_errors[v];
@@ -146,7 +146,7 @@ inline double expected_errors(const Surface_pair& pair, const Surface_start& sta
   errors.clear();
   for(const auto& location : first.sphere().locate(pair.first.sphere.points(), pair.execution))
     errors.push_back(
-        (std::min)(interpolated(coarse_errors, first.sphere().triangles(), location), mean_distance)); // rounding error
+        (std::min)(interpolated(coarse_errors, first.sphere().triangles(), location), max_error)); // rounding error
   return area > 0. ? sum / area : 0.;
 }
 

@@ -23,14 +23,19 @@
 
 namespace CGAL::Spherical_parameterization::internal {
 
-// The stages of map_surface(), each of which passes its result to the next one:
+// The stages of map_surface():
 //
-//   propose  rotations, symmetric counterparts, matched     propose_rotations(), with_counterparts(), propose_starts(),
-//            extremities, inverses                          add_inverse_starts()
-//   choose   descents on coarse surfaces, eigenfunctions,   best_alignments(), choose_alignment(), choose_start()
-//            and a comparison on a finer level
-//   refine   the descent to the finest level                refine_start()
-//   measure  energy, certificate and expected errors        measure_map(), expected_errors()
+//   choose_start()
+//     build_coarse_surfaces()
+//     best_alignments()       proposes alignments, and chooses among them on coarse surfaces:
+//                             propose_rotations(), with_counterparts(), propose_starts(), choose_on_first_levels(),
+//                             add_inverse_starts(), which does the same in the opposite direction, choose_on_last_levels()
+//     choose_alignment()      the guidance of eigenfunctions, and the choice on a finer level
+//   refine_start()            the descent to the finest level, or from the rotation by landmarks alone
+//   measure_map()             the energy: of a rotation before the descent, and of the result
+//   expected_errors()
+//
+// The certificate of the map is that of write_map().
 CGAL_SPHERICAL_PARAMETERIZATION_INLINE
 Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere second_surface,
                             Surface_map_settings settings, std::vector<Vector_3d>& directions,
@@ -73,7 +78,8 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
     Map_energy refined_energy;
     const bool is_bijection = is_refined && measure_map(pair, refined, refined_energy);
     // The averaged metric moves even the identity: only the surfaces themselves show whether the descent was an improvement. Energies
-    // measured by samples are lower than those on the refinement, and are not comparable with them.
+    // measured by samples are lower than those on the refinement, and are not comparable with them. If a run is stopped before both
+    // energies are known, the result of the descent is taken.
     const bool are_comparable = energy.value && refined_energy.value && energy.is_sampled == refined_energy.is_sampled;
     const bool is_better =
         !is_from_rotation || (are_comparable ? *refined_energy.value < *energy.value : control.is_stopped());

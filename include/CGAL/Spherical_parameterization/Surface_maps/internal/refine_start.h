@@ -35,8 +35,10 @@ inline Landmark_goals landmark_goals(const Surface_pair& pair)
   return goals;
 }
 
-// Minimizes the energy down to the finest level. `directions` contains the rotation of the start, and receives the map. Returns false, and
-// does not change the directions, if double precision does not suffice.
+// Minimizes the energy down to the finest level. An alignment descends on the levels of which it is; then, if there are landmarks, on
+// others that keep their vertices. If that misses hard landmarks, the start is replaced by the rotation of landmarks alone, if this misses
+// fewer. `directions` contains the rotation of the start, and receives the map. Returns false, and does not change the directions, if double
+// precision does not suffice.
 inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::vector<Vector_3d>& directions)
 {
   // With landmarks, the descent begins with very few vertices, so that large parts can move. Without landmarks, it begins with more:
@@ -47,8 +49,8 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
   const double feature_weight = weight_of_features(start.alignment.agreement, settings);
   const Target_goals features_alone = {pair.metric, start.features, feature_weight};
   const Target_goals goals = {pair.metric, start.features, feature_weight, landmark_goals(pair)};
-  const auto lower = [&](const Target_goals& all, std::size_t coarsest_size, std::vector<Vector_3d>& map) {
-    return minimize_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), all, coarsest_size, Target_sweeps(),
+  const auto lower = [&](const Target_goals& target, std::size_t coarsest_size, std::vector<Vector_3d>& map) {
+    return minimize_on_target(pair.first.mesh.rings(), pair.first.mesh.points(), target, coarsest_size, Target_sweeps(),
                               map, pair.control, pair.execution);
   };
   std::vector<Vector_3d> lowered;
@@ -57,7 +59,7 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
   if(is_rotation)
     lowered = pair.first.mesh.in_own_order(directions);
   // Coarser levels would destroy the result of an earlier descent.
-  const bool is_found =
+  const bool continues_map =
       settings.keeps_alignment && (!settings.has_hard_landmarks() ||
                                    std::all_of(pair.landmarks.begin(), pair.landmarks.end(), [](const auto& landmark) {
                                      constexpr double cosine_of_rounding = 1. - 1e-14;
@@ -65,7 +67,7 @@ inline bool refine_start(const Surface_pair& pair, Surface_start& start, std::ve
                                    }));
   if(is_lowered && (is_rotation || has_landmarks))
     is_lowered = lower(goals,
-                       is_found        ? pair.first.points.size()
+                       continues_map   ? pair.first.points.size()
                        : has_landmarks ? min_size_with_landmarks
                                        : min_size,
                        lowered) ||

@@ -30,9 +30,9 @@ struct Alignment
   Rotation_matrix rotation = rotation_matrix({1., 0., 0., 0.});
   std::vector<Vector_3d> directions;      // of the vertices of the first coarse surface; empty if they are only rotated
   std::vector<Vector_3d> before_matching; // the directions before match_functions()
-  double agreement = 0.;                  // the correlation of the features
-  double score = 0.;                      // the weighted agreement minus the stretching and the distance from landmarks
-  double missed = 0.;                     // the distance from landmarks, in units of the mean distance
+  double agreement = 0.;                  // the correlation of the features, before match_functions()
+  double score = 0.;  // that in the choice on coarse surfaces minus stretching and distance from landmarks
+  double missed = 0.; // the distance from landmarks, in units of the mean distance
 };
 
 // A start, and its state during the descent.
@@ -47,8 +47,8 @@ struct Alignment_start
 
 // The descent of a start on the coarse surfaces, and the score of the result. First, the energy of the map between the surfaces is
 // combined with features of large weight, including distances from extremities that may correspond: these do not depend on the
-// pose, and guide vertices over large distances. Then it is combined with the features of the surfaces alone, with their final
-// weight. The candidates for the choice are also guided by eigenfunctions.
+// pose, and guide vertices over large distances. Then it is combined with the features of the surfaces alone, with the weight of
+// the settings. The candidates for the choice are also guided by eigenfunctions.
 class Alignment_descent
 {
 public:

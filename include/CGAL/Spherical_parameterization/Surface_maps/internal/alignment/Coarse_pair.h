@@ -62,7 +62,7 @@ public:
     m_landmark_image.emplace(image(distances[1]));
     for(std::size_t surface = 0; surface < 2; ++surface)
       for(const Vertex_scalars& d : distances[surface])
-        m_landmark_guides[surface].push_back(scaled(d, weight_of_leading_guides));
+        m_landmark_guides[surface].push_back(scaled(d, factor_of_leading_guides));
   }
 
   const Surface_descriptor& first() const { return *m_surfaces[0]; }
@@ -111,7 +111,7 @@ public:
     Guides result;
     for(std::size_t surface = 0; surface < 2; ++surface)
       for(const auto& pair : pairs)
-        result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, weight_of_leading_guides));
+        result[surface].push_back(scaled(extremities[surface][pair[surface]].distances, factor_of_leading_guides));
     add_landmarks(result);
     return result;
   }
@@ -125,7 +125,7 @@ public:
       const auto coordinate = [&](const std::vector<Vector_3d>& directions) {
         Vertex_scalars values;
         for(const Vector_3d& p : directions)
-          values.push_back(weight_of_leading_guides * p[k]);
+          values.push_back(factor_of_leading_guides * p[k]);
         return values;
       };
       result[0].push_back(coordinate(images));
@@ -146,7 +146,7 @@ public:
   // guidance (Ovsjanikov et al., Functional maps, 2012).
   Guides eigenfunction_guides(const std::vector<Vector_3d>& directions, std::size_t n) const
   {
-    constexpr double weight = 16.; // with 8 or 30, the mean error is the same
+    constexpr double factor_of_functions = 16.; // with 8 or 30, the mean error is the same
     Guides result = {at_most(n, first().spectrum().functions()), {}};
     const std::vector<Vertex_scalars> functions = at_most(n, second().spectrum().functions());
     std::vector<Vertex_scalars> carried(functions.size(), Vertex_scalars(directions.size()));
@@ -158,11 +158,11 @@ public:
     in_parallel(result[0].size(), [&](std::size_t i) {
       for(std::size_t k = 0; k < functions.size(); ++k)
       {
-        const double factor = weight * inner_product(result[0][i], carried[k]);
+        const double factor = factor_of_functions * inner_product(result[0][i], carried[k]);
         for(std::size_t v = 0; v < functions[k].size(); ++v)
           result[1][i][v] += factor * functions[k][v];
       }
-      result[0][i] = scaled(std::move(result[0][i]), weight);
+      result[0][i] = scaled(std::move(result[0][i]), factor_of_functions);
     });
     add_landmarks(result);
     return result;
@@ -248,7 +248,7 @@ private:
   }
 
   // Relative to ranks from -1 to 1, for distances with mean 1 and for coordinates. With 2 or 6, people are aligned less accurately.
-  static constexpr double weight_of_leading_guides = 4.;
+  static constexpr double factor_of_leading_guides = 4.;
 
   std::array<std::shared_ptr<Surface_descriptor>, 2> m_surfaces; // shared with the reversed pair
   std::vector<Vector_3d> m_points;

@@ -237,7 +237,7 @@ public:
     return result;
   }
 
-  // Computes the data for the functions below, if extremities() has not been called.
+  // Computes the unit of distances_from(), the mean distance.
   void measure_distances() { static_cast<void>(average_distance()); }
 
   // The distances from the surface point in a direction of the sphere, in the same units.
@@ -300,12 +300,12 @@ private:
     continue_over(m_mask, m_rings, m_features.back());
   }
 
-  // Its weight is half of that of the other features in the alignment. With equal weight, poses are rotated by a half-turn more often;
-  // with a third, a gorilla and a person agree less. In the choice among maps, it has the same weight as the other features.
+  // Its values are half of those of other features in the search for rotations and in the descent. As large as these, poses are rotated
+  // by a half-turn more often; with a third, a gorilla and a person agree less. In the choice among maps, each counts as much as another.
   void add_wave_kernel_signature()
   {
     constexpr int n = 8;
-    constexpr double weight = 0.5;
+    constexpr double factor = 0.5;
     // The logarithms of 8 and 400: the lowest eigenvalue of a body with extremities is about 6, the sixtieth about 700.
     constexpr double lowest = 2.0794415416798357, highest = 5.9914645471079817, width = 0.22 * (highest - lowest);
     find_spectrum();
@@ -313,8 +313,8 @@ private:
     {
       add_ranks(m_spectrum->wave_kernel_signature(lowest + (highest - lowest) * (k + 0.5) / n, width));
       for(double& x : m_features.back())
-        x *= weight;
-      m_weights_in_choice.push_back(1. / (weight * weight));
+        x *= factor;
+      m_weights_in_choice.push_back(1. / (factor * factor));
     }
   }
 

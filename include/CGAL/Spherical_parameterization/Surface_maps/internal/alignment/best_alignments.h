@@ -94,7 +94,8 @@ inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_
     starts.pop_back();
 }
 
-// The remaining levels, after which starts differ by 20 degrees or more in the mean.
+// The remaining levels, from the last one of the first levels on; for inverses, all levels. Afterwards, starts differ by 20 degrees or
+// more in the mean.
 inline void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_descent& descent, double feature_weight,
                                   std::vector<Alignment_start>& starts)
 {
@@ -133,7 +134,7 @@ inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& 
 inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Surface_pair& pair)
 {
   const Rotation_candidates found = propose_rotations(surfaces, pair.first.sphere, pair.second.sphere);
-  if(found.are_of_same_shape || !surfaces.goes_on())
+  if(found.are_copies || !surfaces.goes_on())
     return found.alignments;
   const std::vector<Rotation_matrix> rotations = with_counterparts(surfaces, found.alignments);
   const Alignment_descent descent(surfaces, pair.metric);

@@ -21,7 +21,7 @@
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
 
-// The quality of a map between surfaces, on a level of the first one.
+// The terms of the score of a map between surfaces, on a level of the first one.
 
 namespace CGAL::Spherical_parameterization::internal {
 

@@ -26,7 +26,7 @@ namespace CGAL::Spherical_parameterization::internal {
 struct Rotation_candidates
 {
   std::vector<Alignment> alignments; // in the order of decreasing score; at least one
-  bool are_of_same_shape = false;    // The surfaces are copies, and the best rotation maps one to the other.
+  bool are_copies = false;           // by their features: the best rotation maps one to the other
 };
 
 inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const Sphere_mesh& sphere1,
@@ -35,7 +35,7 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   // Copies of a surface with rotated copies of its sphere have a score of nearly 1, poses of a body a smaller one. With a larger
   // threshold, copies go through the descent and end with an error of 1.3 degrees, while that of the rotation is 0.2; with a smaller
   // one, poses are only rotated.
-  constexpr double min_score_of_same_shape = 0.97;
+  constexpr double min_score_of_copies = 0.97;
   constexpr std::size_t n_rotations = 4; // with 5, and 7 matchings, the same maps win
   Rotation_candidates result;
   std::vector<Alignment>& alignments = result.alignments;
@@ -46,8 +46,8 @@ inline Rotation_candidates propose_rotations(const Coarse_pair& surfaces, const 
   }
   std::stable_sort(alignments.begin(), alignments.end(),
                    [](const Alignment& a, const Alignment& b) { return a.score > b.score; });
-  result.are_of_same_shape = alignments[0].score > min_score_of_same_shape;
-  if(result.are_of_same_shape)
+  result.are_copies = alignments[0].score > min_score_of_copies;
+  if(result.are_copies)
     alignments[0].rotation =
         closest_point_rotation(alignments[0].rotation, sphere1, sphere2, surfaces.control(), surfaces.execution());
   return result;
