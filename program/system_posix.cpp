@@ -32,15 +32,17 @@ namespace {
 void prepare_heap()
 {
 #if defined(CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES) && defined(__GLIBC__)
-  constexpr std::size_t huge_page = std::size_t(1) << 21, size = 1000 * huge_page;
+  constexpr std::size_t page = 4096, huge_page = std::size_t(1) << 21;
   constexpr int default_mmap_max = 65536, max_mmap_threshold = 32 << 20;
   for(const auto resource : {RLIMIT_AS, RLIMIT_DATA})
     if(rlimit limit; getrlimit(resource, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY)
       return;
   char overcommit = '2'; // strict
   std::ifstream("/proc/sys/vm/overcommit_memory") >> overcommit;
-  if(overcommit == '2' || sysconf(_SC_PAGESIZE) != 4096) // with other pages, huge ones are much larger
+  if(overcommit == '2' || sysconf(_SC_PAGESIZE) != page) // with other pages, huge ones are much larger
     return;
+  const std::size_t half_of_memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) / 2 * page,
+                    size = half_of_memory / huge_page * huge_page;
   mallopt(M_ARENA_MAX, 1);
   mallopt(M_TRIM_THRESHOLD, -1); // never
   mallopt(M_MMAP_MAX, 0);        // so that this array is at the end of the heap and stays there when it is freed
