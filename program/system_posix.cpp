@@ -2,8 +2,6 @@
 
 #include "system.h"
 
-#include <CGAL/Spherical_parameterization/internal/execution/Large_array.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -16,8 +14,14 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#ifdef __GLIBC__
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ // as GCC does
+#endif
+#endif
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) // which observes another heap, page by page
 #include <malloc.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #endif
 
@@ -31,7 +35,7 @@ namespace {
 // reservation counts.
 void prepare_heap()
 {
-#if defined(CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES) && defined(__GLIBC__)
+#if defined(M_MMAP_MAX) && defined(MADV_HUGEPAGE)
   constexpr std::size_t page = 4096, huge_page = std::size_t(1) << 21;
   constexpr int default_mmap_max = 65536, max_mmap_threshold = 32 << 20;
   for(const auto resource : {RLIMIT_AS, RLIMIT_DATA})

@@ -65,9 +65,9 @@ public:
 
   /// sets the landmarks.
   ///
-  /// Landmarks guide the alignment together with features, and contribute to the score of the candidates. If the
-  /// features agree by less than 0.5 on coarse surfaces, or if hard landmarks would be missed otherwise, and at least two
-  /// landmarks have different directions, the rotation is determined by landmarks alone.
+  /// Landmarks guide the alignment together with features, and contribute to the score of the candidates. If the features
+  /// agree by less than 0.5 on coarse surfaces, or if fewer hard landmarks are missed, the rotation is determined by landmarks
+  /// alone, unless fewer than two landmarks have different directions.
   [[nodiscard]] Surface_mapper_3 landmarks(std::vector<Landmark> landmarks) const
   {
     return with([&](Surface_mapper_3& mapper) { mapper.m_landmarks = std::move(landmarks); });
@@ -123,8 +123,8 @@ public:
   /// sets the weight of features in the descent after the first levels of the alignment. The default is 4.
   ///
   /// The mean of the squared differences of their ranks, which range from -1 to 1, times this weight is added to the mean
-  /// energy. For features of the package, the weight is also multiplied by the fourth power of their agreement on levels finer
-  /// than the coarse surfaces.
+  /// energy. On levels finer than the coarse surfaces, the weight of features of the package is also multiplied by the fourth
+  /// power of their agreement.
   ///
   /// \param weight a non-negative number; with 0, features only propose alignments and compare them on coarse surfaces
   [[nodiscard]] Surface_mapper_3 feature_weight(double weight) const

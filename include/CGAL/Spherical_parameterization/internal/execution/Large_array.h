@@ -24,20 +24,12 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
-// AddressSanitizer observes only the usual allocator.
-#if defined(MADV_HUGEPAGE) && !defined(__SANITIZE_ADDRESS__)
-#define CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
-#endif
-#ifdef __has_feature
-#if __has_feature(address_sanitizer)
-#undef CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
-#endif
-#endif
 
 namespace CGAL::Spherical_parameterization::internal {
 
 // Allocates arrays of some MiB in pages of 2 MiB, on Linux. The first accesses to pages of 4 KiB, which the allocator of
-// the system usually requests for each array anew, took up to a fifth of the time of a map.
+// the system usually requests for each array anew, took up to a fifth of the time of a map. Code with and without sanitizers
+// must agree on the allocation, because it may be linked into one program.
 template <class T>
 class Huge_page_allocator
 {
@@ -51,7 +43,7 @@ public:
 
   T* allocate(std::size_t n)
   {
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
+#ifdef MADV_HUGEPAGE
     if(is_large(n))
       return static_cast<T*>(map(mapped_size(n)));
 #endif
@@ -60,7 +52,7 @@ public:
 
   void deallocate(T* array, std::size_t n)
   {
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
+#ifdef MADV_HUGEPAGE
     if(is_large(n))
     {
       munmap(array, mapped_size(n));
@@ -80,7 +72,7 @@ public:
   }
 
 private:
-#ifdef CGAL_SPHERICAL_PARAMETERIZATION_HUGE_PAGES
+#ifdef MADV_HUGEPAGE
   // The alignment of huge pages, and a multiple of the size of other pages.
   static constexpr std::size_t huge_page = std::size_t(1) << 21, pages = std::size_t(1) << 16;
 

@@ -61,7 +61,7 @@ void descend(const Energy& energy, Radius_chooser* radius, const Sharpness& shar
   std::vector<double> densities;
   if(!shares.empty())
     densities = vertex_densities(rings, points, shares);
-  else if(follows_curvature<Energy>)
+  else if constexpr(follows_curvature<Energy>)
     densities = vertex_densities(rings, points, curvature_masses(rings, points));
   using Space = Round_sphere<Energy, Step>;
   Block_coordinate_descent<Space, Step> descent(Space(Face_energy<Energy>(energy)), Step(), run.execution);
