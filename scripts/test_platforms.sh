@@ -82,7 +82,7 @@ with_flags() {
 run_stage "g++ -O0" with_flags gcc_O0 spheres "--largest 3000" g++ -O0 &
 run_stage "g++ -O3 -march=native" with_flags gcc_native "spheres operations" "--largest 100000" g++ -O3 -march=native
 wait $!
-run_stage "g++ in the standard language" with_flags gcc_standard spheres "--largest 10000" \
+run_stage "g++ in the standard language" with_flags gcc_standard "spheres operations" "--largest 10000" \
   g++ -O2 -pedantic-errors -DCGAL_SPHERICAL_PARAMETERIZATION_STANDARD_CXX &
 run_stage "clang++ -march=native with libc++" with_flags clang_native "spheres operations" "--largest 100000" \
   clang++ -O2 -march=native -stdlib=libc++

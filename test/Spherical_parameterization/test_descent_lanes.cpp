@@ -49,6 +49,13 @@ void expect_decisions_lane_by_lane()
   Lanes<FT>::store(Lanes<FT>::load(floats.data()), stored.data());
   for(std::size_t i = 0; i < stored.size(); ++i)
     EXPECT_EQ(stored[i], i < Lanes<FT>::width ? static_cast<double>(floats[i]) : 0.);
+  std::array<const float*, Lanes<FT>::width> rows;
+  for(std::size_t l = 0; l < rows.size(); ++l)
+    rows[l] = floats.data() + (3 * l) % 5;
+  const std::array<FT, 4> columns = Lanes<FT>::load_columns(rows);
+  for(std::size_t l = 0; l < rows.size(); ++l)
+    for(std::size_t k = 0; k < columns.size(); ++k)
+      EXPECT_EQ(lane(columns[k], l), static_cast<double>(rows[l][k]));
 }
 
 TEST(Packed_double, decides_lane_by_lane)

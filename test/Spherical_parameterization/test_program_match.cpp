@@ -193,7 +193,7 @@ TEST_F(Match_program, splits_faces_where_that_pays)
 {
   write_off("target.off", test_meshes::scaled(test_meshes::icosphere(3), 1., 2., 0.5));
   write("a.txt", "0\n1\n2\n3\n");
-  write("b.txt", "0\n1\n2\n20\n"); // one is not where the others are
+  write("b.txt", "3\n1\n5\n20\n"); // not where the landmarks of the sphere are
   const std::string map = "match sphere.off target.off --landmarks a.txt b.txt --split";
   const std::string out = run(map + " -o mapped.off --sphere p.off --overlay overlay.ply --json split.json").out;
   expect_part(out, "Split:     ");

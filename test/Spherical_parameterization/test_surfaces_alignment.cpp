@@ -337,7 +337,7 @@ TEST(Alignment, brings_arms_to_theirs_on_spheres_that_lean_to_different_sides)
   const SP::Surface_map_report& report = mapper.report();
   EXPECT_LT(mean_distance(a, directions, b), 0.06);
   EXPECT_GT(report.agreement, 0.7);
-  EXPECT_GT(report.margin, 0.07);
+  EXPECT_GT(report.margin, 0.05);
   ASSERT_EQ(SP::map_surface<CGAL::Parallel_if_available_tag>(a.mesh, a.sphere, b.mesh, b.sphere, others), SP::OK);
   for(const Vertex_index v : a.mesh.vertices())
     EXPECT_EQ(directions[v], others[v]);
@@ -384,7 +384,7 @@ TEST(Alignment, starts_from_the_inverse_of_a_map)
   Recording_control control;
   const Coarse_pair surfaces(coarse(a), coarse(b), control, {});
   const std::vector<Vector_3d>& origins = surfaces.first().directions();
-  const Target_metric metric(surfaces.second().sphere(), surfaces.second().points(), {});
+  const Target_metric metric(surfaces.second().sphere(), surfaces.second().points(), surfaces.first().size(), {});
   const Alignment_descent descent(surfaces, metric);
   const Mesh_hierarchy levels = descent.levels();
   std::optional<Alignment_start> start = start_from_inverse(
@@ -470,7 +470,7 @@ TEST(Alignment, is_mended_by_eigenfunctions_where_it_has_slid)
   const double before = error(by_energy_alone);
   for(const Vector_3d& p : first.points())
     points.push_back(std::sqrt(4. * CGAL_PI) * p);
-  const Target_metric metric(second.sphere(), second.points(), {});
+  const Target_metric metric(second.sphere(), second.points(), second.size(), {});
   ASSERT_TRUE(
       minimize_on_target(first.rings(), points, {metric, {}, 0.}, 500, {20, 1e-3, 0.02}, by_energy_alone, control, {}));
   surfaces.find_spectra();
@@ -501,7 +501,7 @@ TEST(Alignment, of_surfaces_stops_when_it_is_told_to)
 {
   const Mapped_mesh a(icosphere(3), straight_arms), b(icosphere(3), bent_arms, turns[1]);
   const Located_mesh first(a), second(b);
-  const SP::internal::Target_metric metric(second.sphere, second.points, {});
+  const SP::internal::Target_metric metric(second.sphere, second.points, first.points.size(), {});
   const SP::internal::Surface_map_settings settings;
   const SP::internal::Execution execution;
   std::size_t n_questions = 0;

@@ -819,7 +819,7 @@ double squared_length_on(const SP::internal::Target_metric& metric, const Vector
 TEST(Target_metric, of_a_sphere_is_that_of_its_tangent_planes)
 {
   const Located_mesh sphere(Mapped_mesh(icosphere(5)));
-  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, {});
+  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, sphere.points.size(), {});
   Random random(1);
   for(int k = 0; k < 100; ++k)
   {
@@ -846,7 +846,7 @@ TEST(Target_metric, sees_the_lengths_of_images)
   surface.sphere[far_vertex] = CGAL::ORIGIN + 4. * (surface.sphere[far_vertex] - CGAL::ORIGIN);
   const Located_mesh located(surface);
   const Sphere_mesh& images = located.sphere;
-  const Target_metric metric(images, located.points, {});
+  const Target_metric metric(images, located.points, located.points.size(), {});
   const Coordinates& corner = located.points[0];
   const double scale =
       std::sqrt(4. * pi / (4. * std::sqrt(3.) * dot(corner, corner))); // to the area of the unit sphere
@@ -892,7 +892,7 @@ TEST(Target_star, has_the_gradient_of_its_value)
 {
   const Located_mesh target(Mapped_mesh(octahedron_of(20), on_body, turns[1])),
       source(Mapped_mesh(icosphere(2), on_body, turns[2]));
-  const SP::internal::Target_metric metric(target.sphere, target.points, {});
+  const SP::internal::Target_metric metric(target.sphere, target.points, target.points.size(), {});
   const std::vector<Vector_3d> positions = source.positions();
   SP::internal::Target_star star(metric);
   const std::size_t level = metric.level_for(200);
@@ -924,7 +924,7 @@ TEST(Target_star, has_the_gradient_of_its_value)
 TEST(Target_star, has_positive_curvature_where_the_metric_is_nearly_constant)
 {
   const Located_mesh sphere(Mapped_mesh(icosphere(4)));
-  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, {});
+  const SP::internal::Target_metric metric(sphere.sphere, sphere.points, sphere.points.size(), {});
   std::vector<Vector_3d> positions = sphere.positions();
   Random random(2);
   for(Vector_3d& p : positions)
@@ -955,7 +955,7 @@ TEST(Target_star, is_the_same_beside_others)
   using FT = SP::internal::Four_lanes;
   const Located_mesh target(Mapped_mesh(octahedron_of(20), on_body, turns[1])),
       source(Mapped_mesh(octahedron_of(4), on_body, turns[2])); // of degrees 4 and 6
-  const SP::internal::Target_metric metric(target.sphere, target.points, {});
+  const SP::internal::Target_metric metric(target.sphere, target.points, target.points.size(), {});
   const std::vector<Vector_3d> positions = source.positions();
   const SP::internal::Sphere_image features = features_of(target.sphere);
   const std::array<std::array<double, 4>, 2> values = {{{0.2, -0.3, 0., 0.}, {-0.1, 0.4, 0., 0.}}};

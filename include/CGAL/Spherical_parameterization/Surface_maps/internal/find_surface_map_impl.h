@@ -54,7 +54,8 @@ Error_code find_surface_map(Surface_on_sphere first_surface, Surface_on_sphere s
   report.seconds_for_reading = control.lap();
   prepare_features({&first.mesh, &second.mesh}, settings);
   control.on_initialization_begin(first.points.size());
-  Surface_pair pair = {first, second, settings, control, execution, {second.sphere, second.points, execution}, {}};
+  Surface_pair pair = {
+      first, second, settings, control, execution, {second.sphere, second.points, first.points.size(), execution}, {}};
   for(const auto& [v, w] : settings.landmarks)
     pair.landmarks.emplace_back(first.sphere.direction(v), second.sphere.direction(w));
 

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
@@ -53,11 +54,9 @@ public:
     const FT i = begin_of_step(x), j = begin_of_step(y);
     m_u = x - i;
     m_v = y - j;
+    const FT row = whole + 1., first = (side * row + i) * row + j;
     for(std::size_t k = 0; k < width; ++k)
-      m_first[k] = (static_cast<std::size_t>(static_cast<int>(lane(side, k))) * (n + 1) +
-                    static_cast<std::size_t>(static_cast<int>(lane(i, k)))) *
-                       (n + 1) +
-                   static_cast<std::size_t>(static_cast<int>(lane(j, k)));
+      m_first[k] = static_cast<std::size_t>(static_cast<std::int64_t>(lane(first, k)));
   }
 
   // The corners of the square in a lane.
@@ -124,15 +123,29 @@ public:
     return result;
   }
 
+  // The nodes, and the side and the coordinates of one of them.
+  static std::size_t number_of_nodes(std::size_t n) { return 6 * (n + 1) * (n + 1); }
+  struct Node
+  {
+    std::size_t side;
+    double u, v;
+  };
+  static Node node(std::size_t index, std::size_t n)
+  {
+    const double step = 2. / static_cast<double>(n);
+    const std::size_t row = index / (n + 1), i = row % (n + 1), j = index % (n + 1);
+    return {row / (n + 1), step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.};
+  }
+
   // Calls f(side, u, v) for all nodes, in the order of their indices.
   template <class Function>
   static void for_each_node(std::size_t n, const Function& f)
   {
-    const double step = 2. / static_cast<double>(n);
-    for(std::size_t side = 0; side < 6; ++side)
-      for(std::size_t i = 0; i <= n; ++i)
-        for(std::size_t j = 0; j <= n; ++j)
-          f(side, step * static_cast<double>(i) - 1., step * static_cast<double>(j) - 1.);
+    for(std::size_t index = 0; index < number_of_nodes(n); ++index)
+    {
+      const auto [side, u, v] = node(index, n);
+      f(side, u, v);
+    }
   }
 
 private:
@@ -148,9 +161,9 @@ private:
 
   FT begin_of_step(const FT& x) const
   {
-    return minimum(
-        Lanes<FT>::generate([&](std::size_t k) { return static_cast<double>(static_cast<int>(lane(x, k))); }),
-        FT(static_cast<double>(m_n - 1)));
+    // With the shift, x is rounded to a multiple of 1/256, which may be the next integer.
+    const FT nearly = without_fraction(x + exponential_shift) - exponential_shift;
+    return minimum(nearly - select(nearly > x, FT(1.), FT(0.)), FT(static_cast<double>(m_n - 1)));
   }
 
   std::size_t m_n;

@@ -20,6 +20,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <cstddef>
 
 #include <CGAL/Spherical_parameterization/internal/numbers/begin_arithmetic.h>
@@ -81,9 +82,15 @@ public:
   CGAL_SP_EIGHT_LANES Packed_double& operator=(const Packed_double& other) { return m_lanes = other.m_lanes, *this; }
 
   static CGAL_SP_EIGHT_LANES Self load(const double* values) { return Self(_mm512_loadu_pd(values)); }
-  static CGAL_SP_EIGHT_LANES Self load(const float* values)
+  static CGAL_SP_EIGHT_LANES Self load(const float* values) { return of(_mm256_loadu_ps(values)); }
+  static CGAL_SP_EIGHT_LANES std::array<Self, 4> load_columns(const std::array<const float*, 8>& rows)
   {
-    return Self(_mm512_maskz_cvtps_pd(all, _mm256_loadu_ps(values)));
+    const __m256 a = two_rows(rows[0], rows[4]), b = two_rows(rows[1], rows[5]), c = two_rows(rows[2], rows[6]),
+                 d = two_rows(rows[3], rows[7]);
+    const __m256 ab0 = _mm256_unpacklo_ps(a, b), ab2 = _mm256_unpackhi_ps(a, b), cd0 = _mm256_unpacklo_ps(c, d),
+                 cd2 = _mm256_unpackhi_ps(c, d);
+    return {of(_mm256_shuffle_ps(ab0, cd0, 0x44)), of(_mm256_shuffle_ps(ab0, cd0, 0xee)),
+            of(_mm256_shuffle_ps(ab2, cd2, 0x44)), of(_mm256_shuffle_ps(ab2, cd2, 0xee))};
   }
   static CGAL_SP_EIGHT_LANES void store(const Self& a, double* values) { _mm512_storeu_pd(values, a.m_lanes); }
 
@@ -129,6 +136,12 @@ public:
 
 private:
   static constexpr __mmask8 all = 0xff; // unmasked, they read uninitialized values: g++ 12 warns
+
+  static CGAL_SP_EIGHT_LANES Self of(const __m256& floats) { return Self(_mm512_maskz_cvtps_pd(all, floats)); }
+  static CGAL_SP_EIGHT_LANES __m256 two_rows(const float* low, const float* high)
+  {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
+  }
 
   CGAL_SP_EIGHT_LANES explicit Packed_double(const __m512d& lanes)
     : m_lanes(lanes)

@@ -14,10 +14,13 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -71,6 +74,13 @@ struct Packed_vectors<2>
     v = Doubles{f(0), f(1)};
   }
 
+  // columns[k][l] = rows[l][k], for four numbers of a row.
+  static CGAL_SP_INLINE void load_columns(const float* const* rows, Doubles* columns)
+  {
+    for(int k = 0; k < 4; ++k)
+      columns[k] = Doubles{rows[0][k], rows[1][k]};
+  }
+
   static CGAL_SP_INLINE void take_square_roots(Doubles& v)
   {
 #ifdef __SSE2__
@@ -103,6 +113,20 @@ struct Packed_vectors<4>
   static CGAL_SP_INLINE void generate(Doubles& v, const Function& f)
   {
     v = Doubles{f(0), f(1), f(2), f(3)};
+  }
+
+  static CGAL_SP_INLINE void load_columns(const float* const* rows, Doubles* columns)
+  {
+#ifdef __SSE2__
+    __m128 a = _mm_loadu_ps(rows[0]), b = _mm_loadu_ps(rows[1]), c = _mm_loadu_ps(rows[2]), d = _mm_loadu_ps(rows[3]);
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    const Floats all[4] = {a, b, c, d};
+    for(int k = 0; k < 4; ++k)
+      columns[k] = __builtin_convertvector(all[k], Doubles);
+#else
+    for(int k = 0; k < 4; ++k)
+      columns[k] = Doubles{rows[0][k], rows[1][k], rows[2][k], rows[3][k]};
+#endif
   }
 
   static CGAL_SP_INLINE void take_square_roots(Doubles& v)
@@ -188,7 +212,15 @@ public:
   {
     Floats floats;
     std::memcpy(&floats, values, sizeof(Floats));
-    return generate([&](std::size_t k) { return static_cast<double>(floats[k]); });
+    return Packed_double(__builtin_convertvector(floats, Doubles));
+  }
+
+  // Four numbers of a row in each lane: that with index k of all rows is result k.
+  static CGAL_SP_INLINE std::array<Packed_double, 4> load_columns(const std::array<const float*, width>& rows)
+  {
+    Doubles columns[4];
+    Vectors::load_columns(rows.data(), columns);
+    return {Packed_double(columns[0]), Packed_double(columns[1]), Packed_double(columns[2]), Packed_double(columns[3])};
   }
 
   static CGAL_SP_INLINE void store(const Self& a, double* values) { std::memcpy(values, &a.m_lanes, sizeof(Doubles)); }
@@ -358,6 +390,10 @@ struct Lanes<double>
   static constexpr std::size_t width = 1;
   static CGAL_SP_INLINE double load(const double* values) { return *values; }
   static CGAL_SP_INLINE double load(const float* values) { return *values; }
+  static CGAL_SP_INLINE std::array<double, 4> load_columns(const std::array<const float*, 1>& rows)
+  {
+    return {rows[0][0], rows[0][1], rows[0][2], rows[0][3]};
+  }
   static CGAL_SP_INLINE void store(double a, double* values) { *values = a; }
   template <class Function>
   static CGAL_SP_INLINE double generate(const Function& f)
@@ -371,8 +407,48 @@ using Two_lanes = Packed_double<2>;
 using Four_lanes = Packed_double<4>;
 #else
 using Two_lanes = double;
-using Four_lanes = double;
+
+// Four numbers for sums with the same order of summation as with vector extensions.
+class Four_lanes
+{
+public:
+  static constexpr std::size_t width = 4;
+
+  Four_lanes(double value = 0.) { m_lanes.fill(value); }
+
+  template <class T>
+  static Four_lanes load(const T* values)
+  {
+    Four_lanes result;
+    std::copy_n(values, width, result.m_lanes.begin());
+    return result;
+  }
+  static void store(const Four_lanes& a, double* values) { std::copy_n(a.m_lanes.begin(), width, values); }
+  friend double lane(const Four_lanes& a, std::size_t k) { return a.m_lanes[k]; }
+
+  Four_lanes& operator+=(const Four_lanes& other) { return change(other, std::plus<double>()); }
+  friend Four_lanes operator+(Four_lanes a, const Four_lanes& b) { return a += b; }
+  friend Four_lanes operator-(Four_lanes a, const Four_lanes& b) { return a.change(b, std::minus<double>()); }
+  friend Four_lanes operator*(Four_lanes a, const Four_lanes& b) { return a.change(b, std::multiplies<double>()); }
+
+private:
+  template <class Operation>
+  Four_lanes& change(const Four_lanes& other, const Operation& operation)
+  {
+    for(std::size_t k = 0; k < width; ++k)
+      m_lanes[k] = operation(m_lanes[k], other.m_lanes[k]);
+    return *this;
+  }
+
+  std::array<double, width> m_lanes;
+};
 #endif
+
+// The sum of all lanes, in this order on all machines.
+CGAL_SP_INLINE double sum_of_lanes(const Four_lanes& a)
+{
+  return (lane(a, 0) + lane(a, 1)) + (lane(a, 2) + lane(a, 3));
+}
 
 #undef CGAL_SP_INLINE
 

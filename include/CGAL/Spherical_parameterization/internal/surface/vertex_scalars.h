@@ -14,6 +14,7 @@
 
 #include <CGAL/license/Spherical_parameterization.h>
 
+#include <CGAL/Spherical_parameterization/internal/numbers/run_in_lanes.h>
 #include <CGAL/Spherical_parameterization/internal/surface/Vertex_rings.h>
 #include <CGAL/Spherical_parameterization/internal/surface/mesh_measures.h>
 
@@ -31,6 +32,36 @@ namespace CGAL::Spherical_parameterization::internal {
 
 // A value for each vertex.
 using Vertex_scalars = std::vector<double>;
+
+// The sum of the products, in four sums, because a single one would wait for each addition.
+inline double sum_of_products(const Vertex_scalars& a, const Vertex_scalars& b)
+{
+  using Sums = Lanes<Four_lanes>;
+  double result = 0.;
+  run_in_lanes<Sums::width>([&](auto) {
+    Four_lanes sums = 0.;
+    std::size_t v = 0;
+    for(; v + Sums::width <= a.size(); v += Sums::width)
+      sums += Sums::load(&a[v]) * Sums::load(&b[v]);
+    result = sum_of_lanes(sums);
+    for(; v < a.size(); ++v)
+      result += a[v] * b[v];
+  });
+  return result;
+}
+
+// Adds a multiple of y to x.
+inline void add_multiple(double factor, const Vertex_scalars& y, Vertex_scalars& x)
+{
+  using Numbers = Lanes<Four_lanes>;
+  run_in_lanes<Numbers::width>([&](auto) {
+    std::size_t v = 0;
+    for(; v + Numbers::width <= x.size(); v += Numbers::width)
+      Numbers::store(Numbers::load(&x[v]) + factor * Numbers::load(&y[v]), &x[v]);
+    for(; v < x.size(); ++v)
+      x[v] += factor * y[v];
+  });
+}
 
 // Marks the vertices of a surface that are ignored; empty if there are none.
 using Mask = std::vector<char>;

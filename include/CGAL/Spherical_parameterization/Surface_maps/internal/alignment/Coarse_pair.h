@@ -158,9 +158,8 @@ public:
     in_parallel(result[0].size(), [&](std::size_t i) {
       for(std::size_t k = 0; k < functions.size(); ++k)
       {
-        const double factor = factor_of_functions * inner_product(result[0][i], carried[k]);
-        for(std::size_t v = 0; v < functions[k].size(); ++v)
-          result[1][i][v] += factor * functions[k][v];
+        const double factor = factor_of_functions * sum_of_products(result[0][i], carried[k]);
+        add_multiple(factor, functions[k], result[1][i]);
       }
       result[0][i] = scaled(std::move(result[0][i]), factor_of_functions);
     });

@@ -194,8 +194,7 @@ private:
       ab = products;
       bb = squares;
     });
-    const auto sum = [](const Sums& x) { return (lane(x, 0) + lane(x, 1)) + (lane(x, 2) + lane(x, 3)); };
-    return correlation(sum(ab), samples.squares, sum(bb));
+    return correlation(sum_of_lanes(ab), samples.squares, sum_of_lanes(bb));
   }
 
   // Hill climbing by rotations about three axes with decreasing angles; the last steps use all directions.

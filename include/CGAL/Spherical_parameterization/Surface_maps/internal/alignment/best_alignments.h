@@ -44,7 +44,7 @@ std::size_t run_in_batches(const Coarse_pair& surfaces, std::size_t n, std::size
 template <class Function>
 void for_each_start(const Coarse_pair& surfaces, std::vector<Alignment_start>& starts, const Function& f)
 {
-  constexpr std::size_t batch_size = 4; // a fifth of a second per batch
+  constexpr std::size_t batch_size = 8; // a fifth of a second per batch
   const std::size_t n_done = run_in_batches(surfaces, starts.size(), batch_size, [&](std::size_t k) { f(starts[k]); });
   starts.erase(starts.begin() + static_cast<std::ptrdiff_t>(n_done), starts.end());
 }
@@ -80,13 +80,12 @@ inline void keep_best(double min_angle, std::vector<Alignment_start>& starts)
 }
 
 // The first levels of these starts, after which most are discarded.
-inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_descent& descent,
+inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_descent& descent, std::size_t n_kept,
                                    std::vector<Alignment_start>& starts)
 {
   // Before the end of the descent, the better one of two similar starts is not yet known, so only nearly identical ones are merged.
   constexpr double min_angle = CGAL_PI / 36.;
   constexpr double max_lag = 0.2; // behind the best score; with 0.12, a person is mapped onto a gorilla by a half-turn
-  constexpr std::size_t n_kept = 8; // with 5, a gorilla is mapped onto a person incorrectly
   for_each_start(surfaces, starts, [&](Alignment_start& start) { descent.lead(true, start); });
   keep_best(min_angle, starts);
   while(starts.size() > n_kept ||
@@ -95,14 +94,15 @@ inline void choose_on_first_levels(const Coarse_pair& surfaces, const Alignment_
 }
 
 // The remaining levels, from the last one of the first levels on; for inverses, all levels. Afterwards, starts differ by 20 degrees or
-// more in the mean.
-inline void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_descent& descent, double feature_weight,
-                                  std::vector<Alignment_start>& starts)
+// more in the mean. `finish(start)` completes the descent of each.
+template <class Function>
+void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_descent& descent,
+                           std::vector<Alignment_start>& starts, const Function& finish)
 {
   constexpr double min_angle = CGAL_PI / 9.; // Different alignments are farther apart.
   for_each_start(surfaces, starts, [&](Alignment_start& start) {
     descent.lead(false, start);
-    descent.settle(feature_weight, start);
+    finish(start);
   });
   keep_best(min_angle, starts);
 }
@@ -113,16 +113,16 @@ inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& 
                                const std::vector<Rotation_matrix>& rotations, const Alignment_descent& descent,
                                std::vector<Alignment_start>& starts)
 {
-  constexpr std::size_t n_inverses = 2;
+  constexpr std::size_t n_kept = 4, n_inverses = 2; // with 8, the same maps win
   Coarse_pair reversed = surfaces.reversed();
-  const Target_metric metric(pair.first.sphere, pair.first.points, pair.execution);
+  const Target_metric metric(pair.first.sphere, pair.first.points, surfaces.second().size(), pair.execution);
   const Alignment_descent descent_back(reversed, metric);
   std::vector<Rotation_matrix> rotations_back;
   for(const Rotation_matrix& rotation : rotations)
     rotations_back.push_back(transposed(rotation));
   std::vector<Alignment_start> found = propose_starts(reversed, rotations_back, descent_back);
-  choose_on_first_levels(reversed, descent_back, found);
-  choose_on_last_levels(reversed, descent_back, pair.settings.feature_weight, found);
+  choose_on_first_levels(reversed, descent_back, n_kept, found);
+  choose_on_last_levels(reversed, descent_back, found, [](Alignment_start&) {});
   const Mesh_hierarchy levels = descent.levels();
   for(std::size_t k = 0; k < found.size() && k < n_inverses; ++k)
     if(auto start = start_from_inverse(surfaces, found[k].alignment.directions, levels, descent))
@@ -133,15 +133,17 @@ inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& 
 // differ by 20 degrees or more in the mean. They are rotations, without directions, if the surfaces are copies or the run is stopped.
 inline std::vector<Alignment> best_alignments(Coarse_pair& surfaces, const Surface_pair& pair)
 {
+  constexpr std::size_t n_kept = 8; // with 5, a gorilla is mapped onto a person incorrectly
   const Rotation_candidates found = propose_rotations(surfaces, pair.first.sphere, pair.second.sphere);
   if(found.are_copies || !surfaces.goes_on())
     return found.alignments;
   const std::vector<Rotation_matrix> rotations = with_counterparts(surfaces, found.alignments);
   const Alignment_descent descent(surfaces, pair.metric);
   std::vector<Alignment_start> starts = propose_starts(surfaces, rotations, descent);
-  choose_on_first_levels(surfaces, descent, starts);
+  choose_on_first_levels(surfaces, descent, n_kept, starts);
   add_inverse_starts(surfaces, pair, rotations, descent, starts);
-  choose_on_last_levels(surfaces, descent, pair.settings.feature_weight, starts);
+  choose_on_last_levels(surfaces, descent, starts,
+                        [&](Alignment_start& start) { descent.settle(pair.settings.feature_weight, start); });
   if(starts.empty())
     return found.alignments;
   std::vector<Alignment> result;

@@ -169,14 +169,6 @@ public:
 private:
   using Channels = Four_lanes; // several channels at once
 
-  static double sum_of_lanes(const Channels& a)
-  {
-    double result = lane(a, 0);
-    for(std::size_t k = 1; k < Lanes<Channels>::width; ++k)
-      result += lane(a, k);
-    return result;
-  }
-
   const double* at_node(std::size_t node) const { return m_values.data() + node * m_row; }
 
   // The rows of the nodes around a location.

@@ -52,14 +52,18 @@ struct Metric_sample
 class Target_metric
 {
 public:
-  Target_metric(const Sphere_mesh& images, const std::vector<Vector_3d>& points, const Execution& execution)
+  // For maps of meshes with at most `n_vertices` vertices.
+  Target_metric(const Sphere_mesh& images, const std::vector<Vector_3d>& points, std::size_t n_vertices,
+                const Execution& execution)
   {
+    constexpr std::size_t oversampling = 4; // of the finest image that level_for() selects, which is averaged from it
+    const std::size_t max_nodes = oversampling * nodes_per_vertex * n_vertices;
     double area = 0.;
     for(const Linked_triangle& t : images.triangles())
       area += 0.5 * length(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
     const double scale = std::sqrt(4. * CGAL_PI / area);
     std::size_t n = min_size;
-    while(6 * n * n < 2 * images.triangles().size() && n < max_size)
+    while(6 * n * n < (std::min)(2 * images.triangles().size(), max_nodes) && n < max_size)
       n *= 2;
     const std::vector<Vector_3d> nodes = nodes_of_cube(n);
     const auto locations = images.locate(points_of(nodes), execution);
@@ -70,7 +74,7 @@ public:
       const std::array<Vector_3d, 3> x = {scale * points[t[0]], scale * points[t[1]], scale * points[t[2]]};
       image.tensors[k] = tensor_of(images.corners(t), x, normalized(nodes[k]));
     });
-    for(image = smoothed(image, n);; image = smoothed(image, image.n / 2))
+    for(image = smoothed(image, n, execution);; image = smoothed(image, image.n / 2, execution))
     {
       m_images.push_back(flattened(image));
       if(image.n <= min_size)
@@ -99,26 +103,27 @@ public:
   Metric_sample<FT> at(const Basic_cube_location<FT>& location, std::size_t level) const
   {
     const auto weights = location.weights();
-    Numbers_of_lanes<FT> mixed;
-    for_each_lane(location, level, [&](std::size_t l, std::size_t k, const auto& c) {
-      const auto weight = [&](std::size_t i) { return Numbers(lane(weights[i], l)); };
-      Lanes<Numbers>::store(weight(0) * c[0] + weight(1) * c[1] + weight(2) * c[2] + weight(3) * c[3], &mixed[l][k]);
-    });
-    return in_lanes<FT>(mixed);
+    const auto c = corners(location, level);
+    Metric_sample<FT> result;
+    for(std::size_t k = 0; k < 4; ++k)
+      result.numbers[k] = weights[0] * c[0][k] + weights[1] * c[1][k] + weights[2] * c[2][k] + weights[3] * c[3][k];
+    return result;
   }
 
   // The same, and its derivatives along both sides of the square.
   template <class FT>
   std::array<Metric_sample<FT>, 3> with_slopes_at(const Basic_cube_location<FT>& location, std::size_t level) const
   {
-    Numbers_of_lanes<FT> value, along_u, along_v;
-    for_each_lane(location, level, [&](std::size_t l, std::size_t k, const auto& c) {
-      const Bilinear<Numbers> metric(c[0], c[1], c[2], c[3], lane(location.u(), l), lane(location.v(), l));
-      Lanes<Numbers>::store(metric.value, &value[l][k]);
-      Lanes<Numbers>::store(metric.along_u, &along_u[l][k]);
-      Lanes<Numbers>::store(metric.along_v, &along_v[l][k]);
-    });
-    return {in_lanes<FT>(value), in_lanes<FT>(along_u), in_lanes<FT>(along_v)};
+    const auto c = corners(location, level);
+    std::array<Metric_sample<FT>, 3> result;
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      const Bilinear<FT> metric(c[0][k], c[1][k], c[2][k], c[3][k], location.u(), location.v());
+      result[0].numbers[k] = metric.value;
+      result[1].numbers[k] = metric.along_u;
+      result[2].numbers[k] = metric.along_v;
+    }
+    return result;
   }
 
 private:
@@ -135,35 +140,18 @@ private:
     std::vector<Texel> texels;
   };
 
-  // Each lane has different texels, whose four numbers are processed at once.
-  using Numbers = Four_lanes;
+  // The numbers of the corners around a location.
   template <class FT>
-  using Numbers_of_lanes = std::array<std::array<double, 4>, Lanes<FT>::width>;
-
-  // Calls f(lane, k, corners) for each lane, with the numbers from k on of the corners around the location.
-  template <class FT, class Function>
-  void for_each_lane(const Basic_cube_location<FT>& location, std::size_t level, const Function& f) const
+  std::array<std::array<FT, 4>, 4> corners(const Basic_cube_location<FT>& location, std::size_t level) const
   {
-    for(std::size_t l = 0; l < Lanes<FT>::width; ++l)
-    {
-      const auto nodes = location.nodes(l);
-      for(std::size_t k = 0; k < 4; k += Lanes<Numbers>::width)
-      {
-        const auto corner = [&](std::size_t i) {
-          return Lanes<Numbers>::load(m_images[level].texels[nodes[i]].data() + k);
-        };
-        f(l, k, std::array<Numbers, 4>{corner(0), corner(1), corner(2), corner(3)});
-      }
-    }
-  }
-
-  template <class FT>
-  static Metric_sample<FT> in_lanes(const Numbers_of_lanes<FT>& numbers)
-  {
-    const auto number = [&](std::size_t k) {
-      return Lanes<FT>::generate([&](std::size_t l) { return numbers[l][k]; });
+    const std::vector<Texel>& texels = m_images[level].texels;
+    const auto corner = [&](std::size_t i) {
+      std::array<const float*, Lanes<FT>::width> rows;
+      for(std::size_t l = 0; l < rows.size(); ++l)
+        rows[l] = texels[location.nodes(l)[i]].data();
+      return Lanes<FT>::load_columns(rows);
     };
-    return {{number(0), number(1), number(2), number(3)}};
+    return {corner(0), corner(1), corner(2), corner(3)};
   }
 
   // S in space, which does not depend on the side, for operations across sides: xx, xy, xz, yy, yz, zz, and the area factor.
@@ -208,17 +196,16 @@ private:
   }
 
   // Averages an image over the neighborhoods of the nodes of an image with n steps.
-  static Tensor_image smoothed(const Tensor_image& fine, std::size_t n)
+  static Tensor_image smoothed(const Tensor_image& fine, std::size_t n, const Execution& execution)
   {
-    Tensor_image result{n, {}};
+    Tensor_image result{n, std::vector<Tensor>(Cube_location::number_of_nodes(n))};
     const double h = 2. / static_cast<double>(fine.n);
-    Cube_location::for_each_node(n, [&](std::size_t side, double u, double v) {
-      Tensor sum{};
+    for_each_in_blocks(execution, 0, result.tensors.size(), 1024, [&](std::size_t node) {
+      const auto [side, u, v] = Cube_location::node(node, n);
       for(int k = -1; k <= 1; ++k)
         for(int l = -1; l <= 1; ++l)
           add((k == 0 ? 0.5 : 0.25) * (l == 0 ? 0.5 : 0.25), fine.at(Cube_location::point(side, u + h * k, v + h * l)),
-              sum);
-      result.tensors.push_back(sum);
+              result.tensors[node]);
     });
     join_sides(result);
     return result;
