@@ -43,10 +43,10 @@ public:
   // Whether several vertices can be moved at once, in lanes.
   static constexpr bool is_lanewise = true;
 
-  Newton_step() = default;
-  explicit Newton_step(double over_relaxation, int max_halvings = 12)
+  // At most `max_lengths` lengths are tried besides the first one: by default, down to 1/2048 of the step.
+  explicit Newton_step(double over_relaxation = 1.7, int max_lengths = 12)
     : m_over_relaxation(over_relaxation)
-    , m_max_halvings(max_halvings)
+    , m_max_lengths(max_lengths)
   {}
 
   template <class StarEnergy, class FT>
@@ -87,7 +87,7 @@ public:
     if(any(is_open))
       try_step(m_over_relaxation, start);
     double t = 1.;
-    for(int k = 0; k < m_max_halvings && any(is_open); ++k, t *= 0.5)
+    for(int k = 0; k < m_max_lengths && any(is_open); ++k, t *= 0.5)
       try_step(t, start + armijo * t * slope);
     if(any(is_moved))
       step = accepted;
@@ -100,8 +100,8 @@ private:
   static constexpr double min_step = 1e-10; // in units of the shortest edge; shorter steps are not worth an evaluation
   static constexpr double armijo = 1e-4; // the usual constant of sufficient decrease (Nocedal and Wright, section 3.1)
 
-  double m_over_relaxation = 1.7;
-  int m_max_halvings = 12; // down to 1/2048 of the step; then the vertex waits for the next sweep
+  double m_over_relaxation;
+  int m_max_lengths; // after which the vertex waits for the next sweep
 };
 
 // The step of the BLD paper, eq. 8: gradient descent on the flat areas. The trial step is as long as the shortest edge

@@ -159,12 +159,7 @@ private:
             select(m_is_along_x, t[0], select(m_is_along_y, t[1], t[2]))};
   }
 
-  FT begin_of_step(const FT& x) const
-  {
-    // With the shift, x is rounded to a multiple of 1/256, which may be the next integer.
-    const FT nearly = without_fraction(x + exponential_shift) - exponential_shift;
-    return minimum(nearly - select(nearly > x, FT(1.), FT(0.)), FT(static_cast<double>(m_n - 1)));
-  }
+  FT begin_of_step(const FT& x) const { return minimum(rounded_down(x), FT(static_cast<double>(m_n - 1))); }
 
   std::size_t m_n;
   Condition m_is_along_x, m_is_along_y; // the latter only if the former is false

@@ -340,10 +340,19 @@ CGAL_SP_INLINE double times_power_of_two(double a, double shifted)
 }
 
 // Near this number, 3 * 2^43, doubles have eight fractional bits; the bits before them are the integer k of the number
-// k + exponential_shift.
-constexpr double exponential_shift = 26388279066624.;
+// k + integer_shift.
+constexpr double integer_shift = 26388279066624.;
 
-// exp(x) = 2^k power with 3/4 <= power < 3/2, up to one thousandth; `shifted` becomes k + exponential_shift. This range
+// The largest integer that is not above x, for x from 0 to 2^42.
+template <class FT>
+CGAL_SP_INLINE FT rounded_down(const FT& x)
+{
+  // The sum is rounded to a multiple of 1/256, which may be the next integer.
+  const FT nearly = without_fraction(x + FT(integer_shift)) - FT(integer_shift);
+  return nearly - select(nearly > x, FT(1.), FT(0.));
+}
+
+// exp(x) = 2^k power with 3/4 <= power < 3/2, up to one thousandth; `shifted` becomes k + integer_shift. This range
 // makes the rounding errors of 1 + r below, and of its summands, smaller than the range from sqrt(1/2) to sqrt(2).
 template <class FT>
 CGAL_SP_INLINE FT exponential_of_rest(const FT& x, FT& shifted)
@@ -351,8 +360,8 @@ CGAL_SP_INLINE FT exponential_of_rest(const FT& x, FT& shifted)
   // x = k log(2) + r, with k rounded down so that x / log(2) is at most 0.584 above it, the closest multiple of 1/256
   // to log2(3/2). The sign bit, which is not set, is masked as well: otherwise, compilers that may reorder sums
   // (-ffast-math) could remove the shift, and with it the rounding.
-  shifted = without_fraction(x * FT(1.4426950408889634074) + FT(exponential_shift + 0.4140625));
-  const FT k = shifted - FT(exponential_shift);
+  shifted = without_fraction(x * FT(1.4426950408889634074) + FT(integer_shift + 0.4140625));
+  const FT k = shifted - FT(integer_shift);
   const FT r = (x - k * FT(6.93147180369123816490e-01)) - k * FT(1.90821492927058770002e-10);
 
   // exp(r) = 1 + r + r^2 q(r), with a maximum relative error of 4.2e-18, the minimum for a polynomial q of this degree

@@ -106,7 +106,7 @@ inline double exponential(double a)
   if(!(std::abs(a) <= 746.))
     return a; // not a number
   const double power = exponential_of_rest(a, shifted);
-  return std::ldexp(power, static_cast<int>(shifted - exponential_shift));
+  return std::ldexp(power, static_cast<int>(shifted - integer_shift));
 }
 
 // log(a); error: 0.95 ulp

@@ -171,10 +171,10 @@ private:
     const std::size_t n = m_roots.size(), n_steps = (std::min)(max_steps, n - 1);
     std::vector<Vector> basis = {m_roots}; // the constant function is known
     scale(basis[0], 1. / std::sqrt(sum_of_products(m_roots, m_roots)));
-    // Returns the remaining length. If little remains, rounding errors are removed by a second round (Parlett, The Symmetric Eigenvalue
-    // Problem, section 6.9).
+    // Returns the remaining length. If little remains, another round removes rounding errors (Parlett, The Symmetric Eigenvalue Problem,
+    // section 6.9).
     const auto orthogonalize = [&](Vector& x) {
-      constexpr double enough = 0.7; // with 0.01, people and gorillas are matched less accurately
+      constexpr double enough = 0.7; // of the length; otherwise, rounding errors may not be orthogonal
       const auto length_of = [](const Vector& y) { return std::sqrt(sum_of_products(y, y)); };
       double before, after = length_of(x);
       do

@@ -108,12 +108,13 @@ void choose_on_last_levels(const Coarse_pair& surfaces, const Alignment_descent&
 }
 
 // Adds the inverses of the best maps from the second to the first surface as starts. A descent in one direction often finds a map that
-// no start leads to in the other one.
+// no start leads to in the other one. These maps are not settled; their inverses are.
 inline void add_inverse_starts(const Coarse_pair& surfaces, const Surface_pair& pair,
                                const std::vector<Rotation_matrix>& rotations, const Alignment_descent& descent,
                                std::vector<Alignment_start>& starts)
 {
-  constexpr std::size_t n_kept = 4, n_inverses = 2; // with 8, the same maps win
+  constexpr std::size_t n_kept = 4; // with 8, the same maps win
+  constexpr std::size_t n_inverses = 2;
   Coarse_pair reversed = surfaces.reversed();
   const Target_metric metric(pair.first.sphere, pair.first.points, surfaces.second().size(), pair.execution);
   const Alignment_descent descent_back(reversed, metric);

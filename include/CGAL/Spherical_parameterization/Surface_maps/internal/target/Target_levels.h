@@ -55,7 +55,7 @@ public:
 
   const Space& space() const { return m_space; }
   // Changes propagate over the surface by sweeps only, so steps are long. Where the interpolated metric is not smooth, no fraction of a
-  // step may be accepted: 12 halvings take 1.6 times as long for the same errors; with one, errors of people are larger.
+  // step may be accepted: 12 lengths take 1.6 times as long for the same errors; with one, errors of people are larger.
   Newton_step step() const { return Newton_step(1.9, 2); }
 
   // On levels with many vertices, whose sizes differ by a third, every other one is swept only once: sweeping all of them fully takes 1.5
